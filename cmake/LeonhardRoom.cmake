@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+# How every room of the house is built: one target a room, flags on targets only.
+
+include(GNUInstallDirs)
+
+# Headers are read as <leonhard/ROOM/FILE.hpp> in the build tree and after installation alike: the build tree
+# holds a folder of links to the rooms.
+set(LEONHARD_BUILD_INCLUDE ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${LEONHARD_BUILD_INCLUDE}/leonhard)
+foreach(room kernel mesh delaunay graph solver app)
+  if(NOT EXISTS ${LEONHARD_BUILD_INCLUDE}/leonhard/${room})
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${room} ${LEONHARD_BUILD_INCLUDE}/leonhard/${room} SYMBOLIC)
+  endif()
+endforeach()
+
+# leonhard_flags(TARGET): language level, no contraction of a*b+c (exactness rests on it), warnings, sanitizers.
+function(leonhard_flags target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(LEONHARD_STRICT)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+    target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+  else()
+    target_compile_options(${target} PRIVATE -Wall -Wextra)
+  endif()
+  if(LEONHARD_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${LEONHARD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=${LEONHARD_SANITIZE})
+  endif()
+endfunction()
+
+# leonhard_room(NAME SOURCES ...): the library target leonhard_NAME with its alias leonhard::NAME.
+function(leonhard_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES" ${ARGN})
+  add_library(leonhard_${name} ${ROOM_SOURCES})
+  add_library(leonhard::${name} ALIAS leonhard_${name})
+  leonhard_flags(leonhard_${name})
+  target_include_directories(leonhard_${name} PUBLIC
+    $<BUILD_INTERFACE:${LEONHARD_BUILD_INCLUDE}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set_target_properties(leonhard_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_property(GLOBAL APPEND PROPERTY LEONHARD_ROOM_TARGETS leonhard_${name})
+endfunction()
+
+# leonhard_test(ROOM SOURCES ... LIBRARIES ...): one doctest program a room; each test case is one ctest entry.
+function(leonhard_test room)
+  cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(test_${room} ${PROJECT_SOURCE_DIR}/tests/main.cpp ${TEST_SOURCES})
+  leonhard_flags(test_${room})
+  target_include_directories(test_${room} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(test_${room} PRIVATE ${TEST_LIBRARIES} doctest::doctest)
+  target_compile_definitions(test_${room} PRIVATE LEONHARD_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
+  doctest_discover_tests(test_${room} TEST_PREFIX "${room}: " PROPERTIES LABELS ${room})
+endfunction()

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cassert>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <ranges>
+#include <utility>
+#include <vector>
+
+namespace leonhard {
+
+#ifdef LEONHARD_64BIT_IDS
+using IdRaw = std::uint64_t;
+#else
+using IdRaw = std::uint32_t;
+#endif
+
+/// A number that knows what it numbers: a VertexId cannot index triangles.
+template <class Tag>
+struct Id {
+  IdRaw raw{};
+
+  [[nodiscard]] static constexpr Id from(std::size_t index) {
+    assert(index < std::numeric_limits<IdRaw>::max());
+    return Id{static_cast<IdRaw>(index)};
+  }
+  [[nodiscard]] constexpr std::size_t index() const { return raw; }
+  friend constexpr auto operator<=>(const Id&, const Id&) = default;
+};
+
+using VertexId = Id<struct VertexTag>;
+using EdgeId = Id<struct EdgeTag>;
+using TriangleId = Id<struct TriangleTag>;
+
+/// An id or none ("no neighbour behind this edge"), in the space of an id. Never -1 in disguise: asking for the
+/// id of none is a bug that assertions catch.
+template <class IdT>
+class MaybeId {
+ public:
+  constexpr MaybeId() = default;
+  constexpr MaybeId(IdT id) : raw_(id.raw) { assert(id.raw != none_raw); }
+
+  [[nodiscard]] constexpr bool has_value() const { return raw_ != none_raw; }
+  [[nodiscard]] constexpr explicit operator bool() const { return has_value(); }
+  [[nodiscard]] constexpr IdT operator*() const {
+    assert(has_value());
+    return IdT{raw_};
+  }
+  friend constexpr bool operator==(const MaybeId&, const MaybeId&) = default;
+
+ private:
+  static constexpr IdRaw none_raw = std::numeric_limits<IdRaw>::max();
+  IdRaw raw_ = none_raw;
+};
+
+/// A flat array indexed by one kind of id only.
+template <class IdT, class T>
+class PerId {
+ public:
+  using value_type = T;
+  PerId() = default;
+  explicit PerId(std::size_t count, const T& value = T{}) : data_(count, value) {}
+  explicit PerId(std::vector<T> data) : data_(std::move(data)) {}
+
+  [[nodiscard]] decltype(auto) operator[](IdT id) {
+    assert(id.index() < data_.size());
+    return data_[id.index()];
+  }
+  [[nodiscard]] decltype(auto) operator[](IdT id) const {
+    assert(id.index() < data_.size());
+    return data_[id.index()];
+  }
+  IdT push_back(T value) {
+    data_.push_back(std::move(value));
+    return IdT::from(data_.size() - 1);
+  }
+  [[nodiscard]] std::size_t size() const { return data_.size(); }
+  [[nodiscard]] bool empty() const { return data_.empty(); }
+  [[nodiscard]] bool contains(IdT id) const { return id.index() < data_.size(); }
+  void reserve(std::size_t count) { data_.reserve(count); }
+  void resize(std::size_t count, const T& value = T{}) { data_.resize(count, value); }
+  void clear() { data_.clear(); }
+
+  [[nodiscard]] auto begin() { return data_.begin(); }
+  [[nodiscard]] auto end() { return data_.end(); }
+  [[nodiscard]] auto begin() const { return data_.begin(); }
+  [[nodiscard]] auto end() const { return data_.end(); }
+
+  /// All ids in order: for (VertexId v : points.ids())
+  [[nodiscard]] auto ids() const {
+    return std::views::iota(std::size_t{0}, data_.size()) | std::views::transform([](std::size_t i) { return IdT::from(i); });
+  }
+  /// The array itself, for code that wants a span or a raw pointer.
+  [[nodiscard]] std::vector<T>& flat() { return data_; }
+  [[nodiscard]] const std::vector<T>& flat() const { return data_; }
+
+  friend bool operator==(const PerId&, const PerId&) = default;
+
+ private:
+  std::vector<T> data_;
+};
+
+}  // namespace leonhard
