@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "leonhard/mesh/edges.hpp"
+#include "leonhard/mesh/triangle_mesh.hpp"
+
+namespace leonhard::graph {
+
+/// An undirected graph in compressed sparse rows, as Boost.Graph knows it: every edge is stored in both
+/// directions, each row ascending, without self-loops or parallel edges. Vertices are 0 ... n-1; both vertex
+/// and directed-edge indices are 32-bit. Every Boost.Graph algorithm that takes a directed CSR graph takes
+/// it.
+using CsrGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
+                                                    boost::no_property, std::uint32_t, std::uint32_t>;
+
+[[nodiscard]] inline std::uint32_t vertex_count(const CsrGraph& graph) {
+  return static_cast<std::uint32_t>(boost::num_vertices(graph));
+}
+
+/// Undirected edges: each counted once though stored twice.
+[[nodiscard]] inline std::size_t edge_count(const CsrGraph& graph) { return boost::num_edges(graph) / 2; }
+
+/// The neighbours of a vertex, ascending. Valid as long as the graph is.
+[[nodiscard]] inline std::span<const std::uint32_t> neighbours(const CsrGraph& graph, std::uint32_t vertex) {
+  const auto [first, last] = boost::adjacent_vertices(vertex, graph);
+  return {first, last};
+}
+
+[[nodiscard]] inline std::uint32_t degree(const CsrGraph& graph, std::uint32_t vertex) {
+  return static_cast<std::uint32_t>(neighbours(graph, vertex).size());
+}
+
+/// A graph made from a list of edges, and what the list held that a graph does not.
+struct EdgeListGraph {
+  CsrGraph graph;
+  std::size_t self_loops{};      ///< edges from a vertex to itself, dropped
+  std::size_t parallel_edges{};  ///< repetitions of an edge (in either direction), dropped
+};
+
+/// The graph of an edge list.
+///
+/// vertices  number of vertices
+/// edges     pairs of vertices in either order and any sequence; (a,b) and (b,a) are one edge
+/// throws    InputError on an end that is not below `vertices` and on more than 2^31 - 1 edges
+/// Cost O(n + m log d), d the largest degree.
+[[nodiscard]] EdgeListGraph graph_from_edges(std::uint32_t vertices,
+                                             std::span<const std::array<std::uint32_t, 2>> edges);
+
+/// The graph of a mesh's vertices and edges (the graph that a vertex-centred scheme couples).
+///
+/// throws  InputError if `edges` is not of this mesh or the mesh is too large for 32-bit graphs
+/// Cost O(vertices + edges).
+[[nodiscard]] CsrGraph vertex_graph(const TriangleMesh& mesh, const EdgeStructure& edges);
+
+/// The dual graph: one vertex a triangle, an edge where two triangles share a side.
+///
+/// mesh    with its neighbours filled (mesh::build_neighbours)
+/// throws  InputError if the neighbours are missing or not mutual
+/// Cost O(triangles).
+[[nodiscard]] CsrGraph dual_graph(const TriangleMesh& mesh);
+
+/// The connected components, numbered by their smallest vertex.
+struct Components {
+  std::vector<std::uint32_t> component_of;  ///< one a vertex
+  std::vector<std::uint32_t> sizes;         ///< one a component
+
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(sizes.size()); }
+};
+
+/// Cost O(n + m).
+[[nodiscard]] Components components(const CsrGraph& graph);
+
+/// The subgraph on some vertices: vertex i of the result is vertices[i].
+///
+/// vertices  distinct vertices of the graph in any order
+/// throws    InputError on a vertex out of range or repeated
+/// Cost O(n) scratch, then the sum of the chosen degrees.
+[[nodiscard]] CsrGraph induced_subgraph(const CsrGraph& graph, std::span<const std::uint32_t> vertices);
+
+/// The first broken promise of CsrGraph in words (range, order of a row, self-loop, missing reverse edge), or
+/// none. Cost O(n + m log d).
+[[nodiscard]] std::optional<std::string> validate(const CsrGraph& graph);
+
+}  // namespace leonhard::graph
