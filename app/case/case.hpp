@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "leonhard/kernel/point.hpp"
+
+namespace leonhard::app {
+
+/// What a boundary does to the flow: the value of `kind` in [boundary.NAME].
+enum class Condition { slip_wall, far_field, supersonic_inflow, supersonic_outflow, symmetry };
+
+enum class TrailingEdge { sharp, open, closed };  ///< body.trailing_edge, see geometry/naca4.hpp
+enum class MarchingChoice { implicit_ptc, explicit_multistage };      ///< solver.marching
+enum class LimiterChoice { venkatakrishnan, barth_jespersen, none };  ///< solver.limiter
+enum class OrderChoice { reverse_cuthill_mckee, none };               ///< order.method
+enum class PartitionChoice { spectral, coordinate };                  ///< partition.method
+
+/// One [[body]]. Lengths called "chords" are multiples of [reference] length.
+struct BodyCase {
+  std::string name;            ///< unique in the case; "body1", "body2" ... if not given
+  std::filesystem::path file;  ///< airfoil coordinates; empty for a NACA section
+  std::string naca;            ///< four digits; empty for a file
+  TrailingEdge trailing_edge = TrailingEdge::sharp;  ///< NACA sections only
+  double corner_angle_deg = 40;  ///< files only: the outline keeps a corner where it turns by more than this
+  double scale = 1;              ///< first step of the placement, about the origin
+  double rotation_deg = 0;       ///< second step, counter-clockwise about the origin
+  Vec2 translation;              ///< third step
+  double spacing = 0.01;         ///< target edge length on the body, chords
+  double leading_edge_spacing = 0.01 / 3;  ///< at the leading edge, chords; default spacing / 3
+  double trailing_edge_spacing =
+      0.01 / 3;       ///< at the trailing edge and other corners, chords; default spacing / 3
+  std::string where;  ///< "case.toml:12", for messages
+};
+
+struct FlowCase {
+  double mach = 0;       ///< free-stream Mach number, > 0
+  double alpha_deg = 0;  ///< angle of attack, degrees, counter-clockwise free stream
+  double gamma = 1.4;    ///< ratio of specific heats, > 1
+};
+
+struct FarFieldCase {
+  double distance = 50;           ///< radius of the far-field circle, chords
+  double spacing = 4;             ///< edge length on it, chords; see read_case for the default
+  std::optional<Point2> centre;   ///< default: the middle of the bodies' common box
+  bool vortex_correction = true;  ///< point-vortex correction of the far-field state
+};
+
+struct MesherCase {
+  double min_angle_deg = 28;
+  double growth = 0.08;        ///< growth of the edge length per unit of distance from the bodies
+  std::optional<double> size;  ///< largest edge length anywhere, chords
+  std::size_t max_vertices = 1'000'000;
+};
+
+/// [boundary.NAME]: NAME is a body's name, "farfield", a marker's name in a mesh file, or a marker's number.
+struct BoundaryCase {
+  Condition kind = Condition::slip_wall;
+  std::string name;   ///< for a marker given by its number: what to call it; else NAME itself
+  std::string where;  ///< "case.toml:12"
+};
+
+struct ReferenceCase {
+  double length = 1;  ///< chord: unit of every length in "chords" and of the coefficients
+  Point2 moment_centre{0.25, 0};
+};
+
+struct SolverCase {
+  MarchingChoice marching = MarchingChoice::implicit_ptc;
+  int order = 2;
+  LimiterChoice limiter = LimiterChoice::venkatakrishnan;
+  double venkatakrishnan_k = 1;
+  double residual_drop_orders = 8;
+  int max_iterations = 500;
+  double cfl_start = 10;
+  double cfl_max = 1e6;
+  double settle_tolerance = 1e-5;
+  int settle_window = 50;
+};
+
+struct OutputCase {
+  std::filesystem::path folder;                   ///< relative to the current folder
+  std::optional<std::array<double, 4>> close_up;  ///< xmin, ymin, xmax, ymax of the close-up pictures
+};
+
+/// One key of the case file with the value in force, as `describe` prints it.
+struct KeyInForce {
+  std::string key;    ///< "solver.order"; bodies and boundaries carry their name: "body.main.file"
+  std::string value;  ///< as TOML
+  bool by_default = false;
+};
+
+/// A case: plain data, read and checked by read_case. Either mesh_file, or domain_file, or bodies is set.
+struct Case {
+  std::filesystem::path file;  ///< as given
+  std::string text;            ///< the file's text as read
+  std::string title;           ///< default: the file's stem
+
+  std::filesystem::path mesh_file;    ///< a ready mesh; empty if none
+  std::filesystem::path domain_file;  ///< a planar straight-line graph; empty if none
+  std::vector<BodyCase> bodies;
+
+  FlowCase flow;
+  FarFieldCase farfield;
+  MesherCase mesher;
+  std::map<std::string, BoundaryCase> boundary;  ///< by NAME; for bodies, complete with the defaults
+  ReferenceCase reference;
+  SolverCase solver;
+  OrderChoice ordering = OrderChoice::reverse_cuthill_mckee;
+  PartitionChoice partitioning = PartitionChoice::spectral;
+  std::size_t parts = 8;
+  OutputCase output;
+
+  std::vector<KeyInForce> keys;  ///< every key with the value in force, in the order of docs/case-file.md
+};
+
+/// Read a case file and check every key before any work: its name, type and range, required keys, keys that
+/// contradict each other, and that the files it names exist. Paths in it are relative to the case file.
+///
+/// throws InputError naming file, line and key; an unknown key comes with the nearest known one.
+[[nodiscard]] Case read_case(const std::filesystem::path& file);
+
+/// As read_case, from text already in memory; `file` names it in messages and anchors relative paths.
+[[nodiscard]] Case parse_case(std::string text, const std::filesystem::path& file);
+
+/// Every key with the value in force, one a line, defaults marked as such.
+[[nodiscard]] std::string describe(const Case&);
+
+/// One key a case file may have: what docs/case-file.md must tell about.
+struct KnownKey {
+  std::string key;       ///< "solver.order", "body.file", "boundary.NAME.kind"
+  std::string type;      ///< "number", "integer", "text", "true or false", "2 numbers", "one of: ..."
+  std::string fallback;  ///< default as TOML, "required" or "none"
+};
+
+/// All keys, in the order in which they are read.
+[[nodiscard]] std::vector<KnownKey> known_keys();
+
+}  // namespace leonhard::app
