@@ -5,8 +5,8 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -35,8 +35,8 @@ using VertexId = Id<struct VertexTag>;
 using EdgeId = Id<struct EdgeTag>;
 using TriangleId = Id<struct TriangleTag>;
 
-/// An id or none ("no neighbour behind this edge"), in the space of an id. Never -1 in disguise: asking for the
-/// id of none is a bug that assertions catch.
+/// An id or none ("no neighbour behind this edge"), in the space of an id. Never -1 in disguise: asking for
+/// the id of none is a bug that assertions catch.
 template <class IdT>
 class MaybeId {
  public:
@@ -54,6 +54,46 @@ class MaybeId {
  private:
   static constexpr IdRaw none_raw = std::numeric_limits<IdRaw>::max();
   IdRaw raw_ = none_raw;
+};
+
+/// The ids 0 .. count - 1 in order, a range to loop over or to hand to an algorithm. (std::views::iota would
+/// do, but clang 14 cannot compile the one of GCC 12's library.)
+template <class IdT>
+class IdRange {
+ public:
+  class iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;  // operator* yields a value
+    using value_type = IdT;
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = IdT;
+
+    constexpr iterator() = default;
+    constexpr explicit iterator(std::size_t index) : index_(index) {}
+    [[nodiscard]] constexpr IdT operator*() const { return IdT::from(index_); }
+    constexpr iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    constexpr iterator operator++(int) {
+      const iterator old = *this;
+      ++index_;
+      return old;
+    }
+    friend constexpr bool operator==(const iterator&, const iterator&) = default;
+
+   private:
+    std::size_t index_{};
+  };
+
+  constexpr explicit IdRange(std::size_t count) : count_(count) {}
+  [[nodiscard]] constexpr iterator begin() const { return iterator(0); }
+  [[nodiscard]] constexpr iterator end() const { return iterator(count_); }
+  [[nodiscard]] constexpr std::size_t size() const { return count_; }
+
+ private:
+  std::size_t count_;
 };
 
 /// A flat array indexed by one kind of id only.
@@ -90,9 +130,7 @@ class PerId {
   [[nodiscard]] auto end() const { return data_.end(); }
 
   /// All ids in order: for (VertexId v : points.ids())
-  [[nodiscard]] auto ids() const {
-    return std::views::iota(std::size_t{0}, data_.size()) | std::views::transform([](std::size_t i) { return IdT::from(i); });
-  }
+  [[nodiscard]] IdRange<IdT> ids() const { return IdRange<IdT>(data_.size()); }
   /// The array itself, for code that wants a span or a raw pointer.
   [[nodiscard]] std::vector<T>& flat() { return data_; }
   [[nodiscard]] const std::vector<T>& flat() const { return data_; }

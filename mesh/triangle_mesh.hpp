@@ -19,12 +19,12 @@ struct MarkedEdge {
   friend bool operator==(const MarkedEdge&, const MarkedEdge&) = default;
 };
 
-/// A triangle mesh of a plane domain, any number of components and holes: the finite-element structure of Barth's
-/// notes 1.3, with neighbours. Plain parallel arrays; `mesh::validate` says which invariant broke.
+/// A triangle mesh of a plane domain, any number of components and holes: the finite-element structure of
+/// Barth's notes 1.3, with neighbours. Plain parallel arrays; `mesh::validate` says which invariant broke.
 ///
 /// Invariants: corners counter-clockwise (orient2d positive); neighbours[t][i] lies across the edge opposite
-/// corners[t][i] and points back; every edge with a triangle on one side only appears once in `boundary`; every
-/// vertex has a triangle.
+/// corners[t][i] and points back; every edge with a triangle on one side only appears once in `boundary`;
+/// every vertex has a triangle.
 struct TriangleMesh {
   PerId<VertexId, Point2> points;
   PerId<TriangleId, std::array<VertexId, 3>> corners;

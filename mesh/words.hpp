@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "leonhard/mesh/triangle_mesh.hpp"
+
+namespace leonhard::mesh {
+
+/// "0.1": the shortest decimal that reads back as the same double; "nan", "inf", "-inf".
+[[nodiscard]] std::string words(double value);
+
+/// "(0.5, 1)".
+[[nodiscard]] std::string words(Point2 p);
+
+/// "vertex 17 at (0.5, 1)"; without the place where the mesh has no such vertex.
+[[nodiscard]] std::string words(const TriangleMesh& mesh, VertexId v);
+
+/// "edge 3-8 from (0, 0) to (1, 0)".
+[[nodiscard]] std::string words(const TriangleMesh& mesh, VertexId from, VertexId to);
+
+/// "triangle 4 (vertices 1, 2, 3 at (0, 0), (1, 0), (0, 1))".
+[[nodiscard]] std::string words(const TriangleMesh& mesh, TriangleId t);
+
+}  // namespace leonhard::mesh
