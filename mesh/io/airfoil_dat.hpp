@@ -10,11 +10,12 @@
 
 namespace leonhard {
 
-/// An airfoil section as a closed counter-clockwise loop without a repeated last point, in Selig order: from the
-/// trailing edge along the upper side to the leading edge and back along the lower side.
+/// An airfoil section as a closed counter-clockwise loop without a repeated last point, in Selig order: from
+/// the trailing edge along the upper side to the leading edge and back along the lower side.
 ///
-/// Sharp: points.front() is the trailing edge. Blunt: points.front() is the upper corner of the base and the edge
-/// points.back() -> points.front() belongs to the base (it is the whole base unless the base has points of its own).
+/// Sharp: points.front() is the trailing edge. Blunt: points.front() is the upper corner of the base and the
+/// edge points.back() -> points.front() belongs to the base (it is the whole base unless the base has points
+/// of its own).
 struct AirfoilCoordinates {
   std::string name;  ///< the file's first line, or the file's name without extension
   std::vector<Point2> points;
@@ -23,16 +24,17 @@ struct AirfoilCoordinates {
 
 namespace io {
 
-/// Read airfoil coordinates from a .dat file, in Selig's order (trailing edge, upper side, leading edge, lower side; a
-/// closed curve may start anywhere, either way round) or Lednicer's (point counts, upper and lower side, each from the
-/// leading edge), detected by the first line of numbers: two whole numbers above 1.5 are counts.
+/// Read airfoil coordinates from a .dat file, in Selig's order (trailing edge, upper side, leading edge,
+/// lower side; a closed curve may start anywhere, either way round) or Lednicer's (point counts, upper and
+/// lower side, each from the leading edge), detected by the first line of numbers: two whole numbers
+/// above 1.5 are counts.
 ///
-/// The trailing edge is the end of larger x. An open end there is a blunt base; a closed curve's trailing edge is blunt
-/// if two corners sharper than 45 degrees lie within 5 % of the chord.
+/// The trailing edge is the end of larger x. An open end there is a blunt base; a closed curve's trailing
+/// edge is blunt if two corners sharper than 45 degrees lie within 5 % of the chord.
 ///
-/// throws InputError naming file and line: missing or empty file, letters among numbers, NaN, fewer than 5 points,
-/// counts that do not fit, repeated points, curve open by more than 5 % of the chord or away from the trailing edge,
-/// curve that crosses or touches itself (decided exactly)
+/// throws InputError naming file and line: missing or empty file, letters among numbers, NaN, fewer than 5
+/// points, counts that do not fit, repeated points, curve open by more than 5 % of the chord or away from the
+/// trailing edge, curve that crosses or touches itself (decided exactly)
 [[nodiscard]] AirfoilCoordinates read_airfoil(const std::filesystem::path& path);
 
 /// The same from text; source names it in errors.

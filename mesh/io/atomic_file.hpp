@@ -9,7 +9,8 @@
 
 namespace leonhard {
 
-/// A file could not be written: disc full, folder missing or not writable. what() names the file and the reason.
+/// A file could not be written: disc full, folder missing or not writable. what() names the file and the
+/// reason.
 class OutputError : public std::runtime_error {
  public:
   OutputError(const std::filesystem::path& path, const std::string& reason)
@@ -23,10 +24,10 @@ class OutputError : public std::runtime_error {
 
 /// A file that appears whole or not at all.
 ///
-/// Bytes go to PATH.tmp-<process>-<n> in the same folder; commit() renames that file to PATH. Without commit the
-/// destructor removes it and PATH stays as it was. A symbolic link is followed, an existing file's permissions are
-/// kept. A target that is a device or a pipe (/dev/null, /dev/stdout) is written to directly: there is nothing to
-/// rename. Every failure, at the latest the one of commit(), throws OutputError.
+/// Bytes go to PATH.tmp-<process>-<n> in the same folder; commit() renames that file to PATH. Without commit
+/// the destructor removes it and PATH stays as it was. A symbolic link is followed, an existing file's
+/// permissions are kept. A target that is a device or a pipe (/dev/null, /dev/stdout) is written to directly:
+/// there is nothing to rename. Every failure, at the latest the one of commit(), throws OutputError.
 class AtomicFile {
  public:
   /// throws OutputError if the folder is missing or not writable, or the target is a folder

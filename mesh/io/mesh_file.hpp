@@ -9,8 +9,8 @@
 
 namespace leonhard {
 
-/// What a mesh reader returns: a mesh that passes `mesh::validate`, and in words what had to be decided on the way
-/// (quadrilaterals split, clockwise cells turned, ...).
+/// What a mesh reader returns: a mesh that passes `mesh::validate`, and in words what had to be decided on
+/// the way (quadrilaterals split, clockwise cells turned, ...).
 struct MeshFile {
   TriangleMesh mesh;
   std::vector<std::string> warnings;
@@ -18,18 +18,19 @@ struct MeshFile {
 
 namespace io {
 
-/// Read a triangle mesh, format by extension: .su2, .vtu, .node or .ele (Triangle's pair, with .poly or .edge beside
-/// it for the markers).
+/// Read a triangle mesh, format by extension: .su2, .vtu, .node or .ele (Triangle's pair, with .poly or .edge
+/// beside it for the markers).
 ///
-/// throws InputError naming file, line, ids and coordinates: file missing, empty or cut short, unknown extension,
-/// NaN, ids out of range, zero-area, inverted or overlapping cells, boundary edges without a marker
+/// throws InputError naming file, line, ids and coordinates: file missing, empty or cut short, unknown
+/// extension, NaN, ids out of range, zero-area, inverted or overlapping cells, boundary edges without a
+/// marker
 [[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Write a triangle mesh, format by extension as in read_mesh. The target appears whole or not at all. The mesh must
-/// be valid (`mesh::validate`).
+/// Write a triangle mesh, format by extension as in read_mesh. The target appears whole or not at all. The
+/// mesh must be valid (`mesh::validate`).
 ///
-/// throws InputError for an unknown extension or a mesh that the format cannot carry (see the format's header),
-/// OutputError if the file cannot be written
+/// throws InputError for an unknown extension or a mesh that the format cannot carry (see the format's
+/// header), OutputError if the file cannot be written
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 /// ".su2, .vtu, .node, .ele": what read_mesh and write_mesh know.

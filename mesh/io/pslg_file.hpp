@@ -7,11 +7,11 @@
 
 namespace leonhard::io {
 
-/// Read a planar straight-line graph, format by extension: .poly (Triangle's; points may be in the .node file of the
-/// same name when the .poly declares 0 of them).
+/// Read a planar straight-line graph, format by extension: .poly (Triangle's; points may be in the .node file
+/// of the same name when the .poly declares 0 of them).
 ///
-/// throws InputError naming file and line: file missing, empty or cut short, unknown extension, NaN, letters among
-/// numbers, point numbers out of range
+/// throws InputError naming file and line: file missing, empty or cut short, unknown extension, NaN, letters
+/// among numbers, point numbers out of range
 [[nodiscard]] Pslg read_pslg(const std::filesystem::path& path);
 
 /// Write a planar straight-line graph, format by extension as in read_pslg, to the last bit.

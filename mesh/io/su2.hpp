@@ -9,29 +9,29 @@
 
 namespace leonhard::io {
 
-/// Read a 2-D mesh in SU2's native format (https://su2code.github.io/docs_v7/Mesh-File/): NDIME, NELEM with cells of
-/// type 5 (triangle) and 9 (quadrilateral), NPOIN, NMARK with MARKER_TAG and MARKER_ELEMS of type 3 (line), in any
-/// order; % starts a comment; trailing element and point numbers are optional.
+/// Read a 2-D mesh in SU2's native format (https://su2code.github.io/docs_v7/Mesh-File/): NDIME, NELEM with
+/// cells of type 5 (triangle) and 9 (quadrilateral), NPOIN, NMARK with MARKER_TAG and MARKER_ELEMS of type 3
+/// (line), in any order; % starts a comment; trailing element and point numbers are optional.
 ///
-/// Ids are the file's 0-based ones. Markers get the numbers 1, 2, ... in the file's order (or those that write_su2
-/// noted in a leading comment). A quadrilateral is split along its Delaunay diagonal, so triangle ids then differ from
-/// cell numbers; a file whose cells are all clockwise is turned over; both are told in the warnings.
+/// Ids are the file's 0-based ones. Markers get the numbers 1, 2, ... in the file's order (or those that
+/// write_su2 noted in a leading comment). A quadrilateral is split along its Delaunay diagonal, so triangle
+/// ids then differ from cell numbers; a file whose cells are all clockwise is turned over; both are told in
+/// the warnings.
 ///
-/// throws InputError: 3-D file, unknown cell type, id out of range, zero-area, inverted or overlapping cells, boundary
-/// edges without marker (a missing cell), marked edges that are not on the boundary, two markers of one name, NaN,
-/// file cut short
-/// Cost O(file size + cells log cells).
+/// throws InputError: 3-D file, unknown cell type, id out of range, zero-area, inverted or overlapping cells,
+/// boundary edges without marker (a missing cell), marked edges that are not on the boundary, two markers of
+/// one name, NaN, file cut short Cost O(file size + cells log cells).
 [[nodiscard]] MeshFile read_su2(const std::filesystem::path& path);
 
 /// The same from text in memory; source names it in errors.
 [[nodiscard]] MeshFile parse_su2(std::string_view text, const std::string& source);
 
-/// Write a mesh so that read_su2 gives it back: points to the last bit, triangles, boundary, marker numbers and names.
-/// The format has no place for vertex markers, regions and interior constraints. A marker without a name is written
-/// as marker_<number>.
+/// Write a mesh so that read_su2 gives it back: points to the last bit, triangles, boundary, marker numbers
+/// and names. The format has no place for vertex markers, regions and interior constraints. A marker without
+/// a name is written as marker_<number>.
 ///
-/// throws InputError if two boundary markers share a name or a name cannot stand in the file (empty, blanks, %),
-/// OutputError if the file cannot be written
+/// throws InputError if two boundary markers share a name or a name cannot stand in the file (empty, blanks,
+/// %), OutputError if the file cannot be written
 void write_su2(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 /// The text that write_su2 writes.

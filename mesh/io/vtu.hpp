@@ -21,31 +21,32 @@ struct PointField {
 
 namespace io {
 
-/// Write a VTK XML unstructured grid (.vtu): binary, appended raw, zlib-compressed where Leonhard was built with
-/// zlib, 64-bit headers. ParaView opens it; read_vtu gives the same mesh back: points to the last bit, triangles,
-/// regions, markers, names, boundary and constraints.
+/// Write a VTK XML unstructured grid (.vtu): binary, appended raw, zlib-compressed where Leonhard was built
+/// with zlib, 64-bit headers. ParaView opens it; read_vtu gives the same mesh back: points to the last bit,
+/// triangles, regions, markers, names, boundary and constraints.
 ///
 /// Point data: one array a field (two components are written as three with a zero, since VTK knows only
 /// three-component vectors) and `marker`. Cell data: `region`. Field data: `leonhard_boundary` and
-/// `leonhard_constraints` (from, to, marker an edge), `leonhard_marker_numbers`, and `leonhard_marker_names` (UTF-8,
-/// each name ended by a zero byte).
+/// `leonhard_constraints` (from, to, marker an edge), `leonhard_marker_numbers`, and `leonhard_marker_names`
+/// (UTF-8, each name ended by a zero byte).
 ///
-/// throws InputError if a field's size does not fit the mesh or its name is empty, repeated or `marker`; OutputError
-/// if the file cannot be written
-void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh, const std::vector<PointField>& fields = {});
+/// throws InputError if a field's size does not fit the mesh or its name is empty, repeated or `marker`;
+/// OutputError if the file cannot be written
+void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
+               const std::vector<PointField>& fields = {});
 
 /// The bytes that write_vtu writes.
 [[nodiscard]] std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& fields = {});
 
-/// Read a .vtu of one piece whose cells are triangles (quadrilaterals are split, lines are taken as marked boundary
-/// edges): what write_vtu writes, and the ascii, base64 and raw appended variants that ParaView and meshio write,
-/// compressed with zlib or not. Other point fields are skipped.
+/// Read a .vtu of one piece whose cells are triangles (quadrilaterals are split, lines are taken as marked
+/// boundary edges): what write_vtu writes, and the ascii, base64 and raw appended variants that ParaView and
+/// meshio write, compressed with zlib or not. Other point fields are skipped.
 ///
-/// Files by other programs carry no boundary markers: every boundary edge without a line cell gets the marker 1,
-/// "boundary", which a warning tells. Vertices that no cell uses are refused.
+/// Files by other programs carry no boundary markers: every boundary edge without a line cell gets the marker
+/// 1, "boundary", which a warning tells. Vertices that no cell uses are refused.
 ///
-/// throws InputError: not a .vtu, parts missing or cut short, unknown compressor or cell type, points off the plane
-/// z = const, ids out of range, bad cells as in read_su2
+/// throws InputError: not a .vtu, parts missing or cut short, unknown compressor or cell type, points off the
+/// plane z = const, ids out of range, bad cells as in read_su2
 [[nodiscard]] MeshFile read_vtu(const std::filesystem::path& path);
 
 /// The same from bytes in memory; source names them in errors.
