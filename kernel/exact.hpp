@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gmpxx.h>
+
+#include <span>
+
+#include "leonhard/kernel/point.hpp"
+#include "leonhard/kernel/sign.hpp"
+
+/// The predicates of predicates.hpp evaluated in GMP's rational numbers, straight from their definitions: the
+/// oracle of tests and fuzzers, and the last resort of the predicates themselves. Slow (microseconds a call),
+/// right for every finite double; each double converts to a rational without error. Same sign conventions.
+namespace leonhard::kernel::exact {
+
+[[nodiscard]] Sign orient2d(Point2 a, Point2 b, Point2 c);
+[[nodiscard]] Sign incircle(Point2 a, Point2 b, Point2 c, Point2 d);
+[[nodiscard]] Sign in_diametral_circle(Point2 p, Point2 a, Point2 b);
+[[nodiscard]] Sign compare_distance(Point2 p, Point2 a, Point2 b);
+
+/// Twice the signed area of a closed polygon (the last point joins the first), exact.
+///
+/// polygon  corners in order; fewer than three give 0
+/// returns  positive if the polygon runs counter-clockwise, in squared units of the coordinates
+[[nodiscard]] mpq_class area2(std::span<const Point2> polygon);
+
+}  // namespace leonhard::kernel::exact

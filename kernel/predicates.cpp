@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/kernel/predicates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/expansion.hpp"
+
+namespace leonhard::kernel {
+namespace {
+
+// ---- the range in which expansions are exact ----
+
+/// Binary exponents that coordinates other than 0 may have.
+struct ExponentWindow {
+  int lowest, highest;
+};
+
+/// The lowest bit of a coordinate of exponent e is at e - 52 or higher, that of a difference too, that of a
+/// product of Degree differences at Degree (e - 52), which must be representable: at least -1074. A
+/// difference is below 2^(e + 2), a sum of up to 12 products of them below 2^(Degree (e + 2) + 4), and
+/// splitting multiplies by 2^28: the whole must stay below 2^1023.
+template <int Degree>
+constexpr ExponentWindow exact_window{52 - 1074 / Degree, (1023 - 28 - 4) / Degree - 2};
+static_assert(exact_window<2>.lowest == -485 && exact_window<2>.highest == 493);
+static_assert(exact_window<4>.lowest == -216 && exact_window<4>.highest == 245);
+
+/// Moves the points into the window by a power of two, which changes no sign of a homogeneous polynomial and
+/// no bit of a coordinate.
+///
+/// returns  false, and leaves the points alone, if their exponents are too far apart
+template <std::size_t Count>
+bool fit(std::array<Point2, Count>& points, ExponentWindow window) {
+  int lowest = std::numeric_limits<int>::max(), highest = std::numeric_limits<int>::min();
+  for (const Point2 p : points)
+    for (const double coordinate : {p.x, p.y}) {
+      if (coordinate == 0) continue;
+      const int exponent = std::ilogb(coordinate);
+      lowest = std::min(lowest, exponent);
+      highest = std::max(highest, exponent);
+    }
+  if (lowest > highest || (lowest >= window.lowest && highest <= window.highest)) return true;
+  if (highest - lowest > window.highest - window.lowest) return false;
+  const int shift = window.highest - highest;
+  for (Point2& p : points) p = {std::scalbn(p.x, shift), std::scalbn(p.y, shift)};
+  return true;
+}
+
+// ---- vectors of expansions ----
+
+struct ExpansionVec2 {
+  Expansion<2> x, y;
+};
+
+ExpansionVec2 difference(Point2 a, Point2 b) {
+  return {Expansion<2>(two_difference(a.x, b.x)), Expansion<2>(two_difference(a.y, b.y))};
+}
+
+Expansion<16> dot(const ExpansionVec2& u, const ExpansionVec2& v) { return u.x * v.x + u.y * v.y; }
+Expansion<16> cross(const ExpansionVec2& u, const ExpansionVec2& v) { return u.x * v.y - u.y * v.x; }
+
+}  // namespace
+
+Sign orient2d_exact(Point2 a, Point2 b, Point2 c) {
+  std::array points{a, b, c};
+  if (!fit(points, exact_window<2>)) return exact::orient2d(a, b, c);
+  return cross(difference(points[0], points[2]), difference(points[1], points[2])).sign();
+}
+
+Sign incircle_exact(Point2 a, Point2 b, Point2 c, Point2 d) {
+  std::array points{a, b, c, d};
+  if (!fit(points, exact_window<4>)) return exact::incircle(a, b, c, d);
+  const ExpansionVec2 u = difference(points[0], points[3]);
+  const ExpansionVec2 v = difference(points[1], points[3]);
+  const ExpansionVec2 w = difference(points[2], points[3]);
+  const Expansion<1536> determinant =
+      cross(v, w) * dot(u, u) + cross(w, u) * dot(v, v) + cross(u, v) * dot(w, w);
+  return determinant.sign();
+}
+
+Sign incircle_tie(Point2 a, Point2 b, Point2 c, Point2 d) {
+  // Lifting one point by h changes the determinant by h times the orientation of the other three, in the
+  // order that keeps the sign of the permutation. The point of highest rank is lifted infinitely more than
+  // the rest together.
+  std::array ranked{std::pair{a, 0}, std::pair{b, 1}, std::pair{c, 2}, std::pair{d, 3}};
+  std::ranges::sort(ranked, [](const auto& p, const auto& q) { return p.first > q.first; });
+  for (std::size_t i = 1; i < ranked.size(); ++i)
+    if (ranked[i].first == ranked[i - 1].first) return Sign::zero;
+  for (const auto& [point, position] : ranked) {
+    Sign s = Sign::zero;
+    switch (position) {
+      case 0:
+        s = orient2d(d, b, c);
+        break;
+      case 1:
+        s = orient2d(a, d, c);
+        break;
+      case 2:
+        s = orient2d(a, b, d);
+        break;
+      default:
+        s = -orient2d(a, b, c);
+    }
+    if (s != Sign::zero) return s;
+  }
+  return Sign::zero;
+}
+
+Sign in_diametral_circle_exact(Point2 p, Point2 a, Point2 b) {
+  std::array points{p, a, b};
+  if (!fit(points, exact_window<2>)) return exact::in_diametral_circle(p, a, b);
+  return -dot(difference(points[1], points[0]), difference(points[2], points[0])).sign();
+}
+
+Sign compare_distance_exact(Point2 p, Point2 a, Point2 b) {
+  std::array points{p, a, b};
+  if (!fit(points, exact_window<2>)) return exact::compare_distance(p, a, b);
+  const ExpansionVec2 u = difference(points[1], points[0]), v = difference(points[2], points[0]);
+  return (dot(u, u) - dot(v, v)).sign();
+}
+
+}  // namespace leonhard::kernel

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "leonhard/kernel/point.hpp"
+#include "leonhard/kernel/sign.hpp"
+
+#ifdef __FAST_MATH__
+#error "leonhard: exact predicates cannot be compiled with -ffast-math"
+#endif
+
+/// Geometric predicates of the plane, exact for every finite double: overflow, underflow and subnormals
+/// included.
+///
+/// Each predicate has three parts. X_filter, inline, evaluates the determinant in floating point and answers
+/// only if a proven error bound says that the sign is right; X_exact evaluates it with expansions, or with
+/// GMP where the exponents are too far apart for these; X tries the one and falls through to the other. NaN
+/// and infinities are outside the domain: readers refuse them.
+///
+/// Notation of the error bounds: u = 2^-53, the largest relative error of one operation that does not
+/// underflow; addition and subtraction never underflow; a product that does is wrong by 2^-1075 at most. An
+/// overflow makes the bound infinite or NaN, so that the comparison with it fails and the filter does not
+/// answer. All bounds hold with and without fused multiply-add, which only leaves roundings out;
+/// round-to-nearest is required (floating_point_self_test says whether it is on).
+namespace leonhard::kernel {
+
+/// What a filter says: a sign that is certainly right, or nothing.
+using FilteredSign = std::optional<Sign>;
+
+namespace detail {
+
+/// Larger than all that underflow can add to the error of a filter, and far above the subnormal numbers.
+inline constexpr double underflow_guard = 0x1p-1000;
+
+[[nodiscard]] inline FilteredSign sign_if_beyond(double value, double bound) {
+  if (std::abs(value) > bound) [[likely]]
+    return value > 0 ? Sign::positive : Sign::negative;
+  return std::nullopt;
+}
+
+/// The sign of l - r, each the rounded product of two rounded differences of coordinates.
+///
+/// l and r have three roundings each, so |(l - r) - exact| <= (3u + O(u^2)) (|l| + |r|) + 2^-1074. The
+/// rounded difference has the sign of l - r. Now |l| + |r| = max(|l - r|, |l + r|); where the first is the
+/// larger one the sign is plainly right (up to underflow, for which the guard stands), so only |l + r| need
+/// be compared with. 3.3307e-16 is 3u and one part in a hundred thousand, more than all terms in u^2
+/// together.
+[[nodiscard]] inline FilteredSign sign_of_difference(double l, double r) {
+  return sign_if_beyond(l - r, 3.3307e-16 * std::abs(l + r) + underflow_guard);
+}
+
+}  // namespace detail
+
+// ---- orient2d ----
+
+[[nodiscard]] inline FilteredSign orient2d_filter(Point2 a, Point2 b, Point2 c) {
+  return detail::sign_of_difference((a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x));
+}
+[[nodiscard]] Sign orient2d_exact(Point2 a, Point2 b, Point2 c);
+
+/// On which side of the line ab does c lie?
+///
+/// returns  positive if a, b, c turn counter-clockwise (c left of ab), zero if they are collinear
+/// Exact for all finite coordinates. Antisymmetric under every swap of two points.
+/// Filter after Shewchuk, Discrete & Computational Geometry 18 (1997), section 4.
+[[nodiscard]] inline Sign orient2d(Point2 a, Point2 b, Point2 c) {
+  if (const FilteredSign s = orient2d_filter(a, b, c)) [[likely]]
+    return *s;
+  return orient2d_exact(a, b, c);
+}
+
+// ---- incircle ----
+
+/// Error bound. With A, B, C the vectors from d and P the two products of each minor, the determinant
+///   sum over the cyclic orders of |A|^2 (Bx Cy - Cx By)
+/// has 4 roundings in a square, 4 in a minor, 1 in their product, 2 in the sum, so the error is at most
+/// (11u + O(u^2)) sum |A|^2 (|Bx Cy| + |Cx By|). By Cauchy and Schwarz the last factor is at most |B| |C|, so
+/// the sum is at most abc (a + b + c) <= (ab + bc + ca)^2 / 3 <= L^2 / 3, a = |A| and so on, L = |A|^2 +
+/// |B|^2 + |C|^2. 11u/3 < 2^-51 = 4u leaves a twelfth for the terms in u^2. A minor or square that underflows
+/// adds less than 2^-1073 L, a final product 2^-1073: together less than the guard plus 2^-1000 L^2. No term
+/// exceeds L^2, so nothing overflows unless the bound does.
+[[nodiscard]] inline FilteredSign incircle_filter(Point2 a, Point2 b, Point2 c, Point2 d) {
+  const Vec2 u = a - d, v = b - d, w = c - d;
+  const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
+  const double determinant = uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
+  const double size = uu + vv + ww;
+  return detail::sign_if_beyond(determinant, 0x1p-51 * (size * size) + detail::underflow_guard);
+}
+[[nodiscard]] Sign incircle_exact(Point2 a, Point2 b, Point2 c, Point2 d);
+
+/// Does d lie inside the circle through a, b, c?
+///
+/// a, b, c  counter-clockwise; if they turn clockwise the sign is reversed
+/// returns  positive if d lies inside, zero on the circle, negative outside; if a, b, c are collinear, the
+/// sign of
+///          the determinant all the same
+/// Exact for all finite coordinates. Antisymmetric under every swap of two of the four points.
+[[nodiscard]] inline Sign incircle(Point2 a, Point2 b, Point2 c, Point2 d) {
+  if (const FilteredSign s = incircle_filter(a, b, c, d)) [[likely]]
+    return *s;
+  return incircle_exact(a, b, c, d);
+}
+
+/// The sign of incircle(a, b, c, d) after a symbolic perturbation, for four points whose incircle is zero.
+[[nodiscard]] Sign incircle_tie(Point2 a, Point2 b, Point2 c, Point2 d);
+
+/// incircle with ties broken by coordinates alone, so that every point set has one Delaunay triangulation.
+///
+/// a, b, c  counter-clockwise (clockwise: the sign is reversed)
+/// returns  as incircle where that is not zero; else as if each point were lifted off the paraboloid by an
+///          infinitesimal height that grows with its lexicographic rank. Never zero if a, b, c turn and the
+///          four points are distinct; zero if two points are equal or all four collinear.
+/// Exact for all finite coordinates. Antisymmetric under every swap of two of the four points.
+/// Method: Devillers and Teillaud, Computational Geometry 44 (2011), "Perturbations for Delaunay and weighted
+/// Delaunay 3D triangulations", here in the plane.
+[[nodiscard]] inline Sign incircle_perturbed(Point2 a, Point2 b, Point2 c, Point2 d) {
+  const Sign s = incircle(a, b, c, d);
+  if (s != Sign::zero) [[likely]]
+    return s;
+  return incircle_tie(a, b, c, d);
+}
+
+// ---- in_diametral_circle ----
+
+[[nodiscard]] inline FilteredSign in_diametral_circle_filter(Point2 p, Point2 a, Point2 b) {
+  return detail::sign_of_difference((a.x - p.x) * (p.x - b.x), (a.y - p.y) * (b.y - p.y));
+}
+[[nodiscard]] Sign in_diametral_circle_exact(Point2 p, Point2 a, Point2 b);
+
+/// Does p lie inside the circle that has ab as a diameter, that is, is the angle apb obtuse?
+///
+/// returns  positive strictly inside, zero on the circle, negative outside
+/// Exact for all finite coordinates. Unchanged if a and b are swapped.
+[[nodiscard]] inline Sign in_diametral_circle(Point2 p, Point2 a, Point2 b) {
+  if (const FilteredSign s = in_diametral_circle_filter(p, a, b)) [[likely]]
+    return *s;
+  return in_diametral_circle_exact(p, a, b);
+}
+
+// ---- compare_distance ----
+
+/// Error bound: 4 roundings in each of the squared distances A and B, and |A - B| <= A + B, so 4u (A + B) and
+/// terms in u^2; 4.4409e-16 is 4u, 4.4410e-16 leaves a hundred-thousandth for them.
+[[nodiscard]] inline FilteredSign compare_distance_filter(Point2 p, Point2 a, Point2 b) {
+  const Vec2 u = a - p, v = b - p;
+  const double uu = dot(u, u), vv = dot(v, v);
+  return detail::sign_if_beyond(uu - vv, 4.4410e-16 * (uu + vv) + detail::underflow_guard);
+}
+[[nodiscard]] Sign compare_distance_exact(Point2 p, Point2 a, Point2 b);
+
+/// Which of a and b lies farther from p?
+///
+/// returns  positive if a does, zero if both are equally far, negative if b does
+/// Exact for all finite coordinates. Antisymmetric in a and b.
+[[nodiscard]] inline Sign compare_distance(Point2 p, Point2 a, Point2 b) {
+  if (const FilteredSign s = compare_distance_filter(p, a, b)) [[likely]]
+    return *s;
+  return compare_distance_exact(p, a, b);
+}
+
+}  // namespace leonhard::kernel
