@@ -71,7 +71,7 @@ NumberFault parse_number(std::string_view word, double& value) {
   return std::isfinite(value) ? NumberFault::none : NumberFault::not_finite;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t longest = 40;
   std::string shown = "\"";
   for (const char c : word.substr(0, longest)) {
@@ -123,6 +123,23 @@ void TextScanner::trim() {
   while (!rest_.empty() && is_blank(rest_.back())) rest_.remove_suffix(1);
 }
 
+bool TextScanner::at_key() const {
+  if (rest_.empty()) return false;
+  const char first = rest_.front();
+  const bool letter = (first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z');
+  return letter && rest_.find('=') != std::string_view::npos;
+}
+
+std::string_view TextScanner::key(const char* expected) {
+  if (!at_key()) fail_found(rest_, expected);
+  const std::size_t equals = rest_.find('=');
+  std::string_view result = rest_.substr(0, equals);
+  while (is_blank(result.back())) result.remove_suffix(1);  // ends at its first letter
+  rest_.remove_prefix(equals + 1);
+  trim();
+  return result;
+}
+
 std::string_view TextScanner::word(const char* expected) {
   if (rest_.empty()) fail(std::string("line ends where ") + expected + " was expected");
   std::size_t length = 0;
@@ -142,10 +159,10 @@ double TextScanner::number(const char* expected) {
     case NumberFault::not_a_number:
       fail_found(found, expected);
     case NumberFault::not_finite:
-      fail(quoted(found) + " is not finite, where " + expected + " was expected",
+      fail(in_quotes(found) + " is not finite, where " + expected + " was expected",
            "NaN and infinities are bad input; find out what wrote them");
     case NumberFault::too_large:
-      fail(quoted(found) + " is beyond the range of double, where " + expected + " was expected");
+      fail(in_quotes(found) + " is beyond the range of double, where " + expected + " was expected");
   }
   return value;
 }
@@ -158,7 +175,7 @@ std::int64_t TextScanner::integer(const char* expected) {
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (end != digits.data() + digits.size() || error == std::errc::invalid_argument)
     fail_found(found, expected);
-  if (error != std::errc{}) fail(quoted(found) + " is too large, where " + expected + " was expected");
+  if (error != std::errc{}) fail(in_quotes(found) + " is too large, where " + expected + " was expected");
   return value;
 }
 
@@ -183,11 +200,11 @@ std::size_t TextScanner::count(const char* expected, std::size_t bytes_each) {
 }
 
 void TextScanner::expect_line_end(const char* after) {
-  if (!rest_.empty()) fail("found " + quoted(rest_) + " where the line should end after " + after);
+  if (!rest_.empty()) fail("found " + in_quotes(rest_) + " where the line should end after " + after);
 }
 
 void TextScanner::fail_found(std::string_view found, const char* expected) const {
-  fail("found " + quoted(found) + " where " + expected + " was expected");
+  fail("found " + in_quotes(found) + " where " + expected + " was expected");
 }
 
 void TextScanner::fail(std::string problem, std::string remedy) const {

@@ -47,6 +47,12 @@ class TextScanner {
   [[nodiscard]] bool line_done() const { return rest_.empty(); }
   [[nodiscard]] std::size_t bytes_left() const;  ///< of the text, after the current word
 
+  /// Whether the line reads KEY=...: begins with a letter and holds an equals sign.
+  [[nodiscard]] bool at_key() const;
+  /// KEY of a line that reads KEY=..., without blanks; the rest of the line is what follows the equals sign.
+  /// throws InputError if at_key() is false
+  std::string_view key(const char* expected);
+
   /// The next word of the line. throws InputError if the line has no more
   std::string_view word(const char* expected);
   /// The next word as a finite number.
@@ -87,6 +93,6 @@ enum class NumberFault { none, not_a_number, not_finite, too_large };
 NumberFault parse_number(std::string_view word, double& value);
 
 /// A word as it is quoted in messages: in quotation marks, unprintable bytes as ?, long words shortened.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view word);
 
 }  // namespace leonhard::io
