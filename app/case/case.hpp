@@ -76,11 +76,12 @@ struct SolverCase {
   LimiterChoice limiter = LimiterChoice::venkatakrishnan;
   double venkatakrishnan_k = 1;
   double residual_drop_orders = 8;
-  int max_iterations = 500;
-  double cfl_start = 10;
-  double cfl_max = 1e6;
-  double settle_tolerance = 1e-5;
-  int settle_window = 50;
+  double entropy_fix = 0.05;
+  int max_iterations = 500;         ///< default 500 implicit, 50,000 explicit
+  std::optional<double> cfl_start;  ///< none: chosen by the marching kind
+  std::optional<double> cfl_max;
+  double settle_tolerance = 1e-6;
+  int settle_window = 200;
 };
 
 struct OutputCase {
