@@ -66,13 +66,13 @@ Expansion<16> cross(const ExpansionVec2& u, const ExpansionVec2& v) { return u.x
 
 }  // namespace
 
-Sign orient2d_exact(Point2 a, Point2 b, Point2 c) {
+Sign orient2d_exact(const Point2& a, const Point2& b, const Point2& c) {
   std::array points{a, b, c};
   if (!fit(points, exact_window<2>)) return exact::orient2d(a, b, c);
   return cross(difference(points[0], points[2]), difference(points[1], points[2])).sign();
 }
 
-Sign incircle_exact(Point2 a, Point2 b, Point2 c, Point2 d) {
+Sign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   std::array points{a, b, c, d};
   if (!fit(points, exact_window<4>)) return exact::incircle(a, b, c, d);
   const ExpansionVec2 u = difference(points[0], points[3]);
@@ -83,7 +83,7 @@ Sign incircle_exact(Point2 a, Point2 b, Point2 c, Point2 d) {
   return determinant.sign();
 }
 
-Sign incircle_tie(Point2 a, Point2 b, Point2 c, Point2 d) {
+Sign incircle_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   // Lifting one point by h changes the determinant by h times the orientation of the other three, in the
   // order that keeps the sign of the permutation. The point of highest rank is lifted infinitely more than
   // the rest together.
@@ -111,13 +111,13 @@ Sign incircle_tie(Point2 a, Point2 b, Point2 c, Point2 d) {
   return Sign::zero;
 }
 
-Sign in_diametral_circle_exact(Point2 p, Point2 a, Point2 b) {
+Sign in_diametral_circle_exact(const Point2& p, const Point2& a, const Point2& b) {
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::in_diametral_circle(p, a, b);
   return -dot(difference(points[1], points[0]), difference(points[2], points[0])).sign();
 }
 
-Sign compare_distance_exact(Point2 p, Point2 a, Point2 b) {
+Sign compare_distance_exact(const Point2& p, const Point2& a, const Point2& b) {
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::compare_distance(p, a, b);
   const ExpansionVec2 u = difference(points[1], points[0]), v = difference(points[2], points[0]);

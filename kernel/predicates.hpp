@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
@@ -26,8 +25,19 @@
 /// round-to-nearest is required (floating_point_self_test says whether it is on).
 namespace leonhard::kernel {
 
-/// What a filter says: a sign that is certainly right, or nothing.
-using FilteredSign = std::optional<Sign>;
+/// What a filter says: a sign that is certainly right, or that it cannot tell. It never proves zero.
+class FilteredSign {
+ public:
+  constexpr FilteredSign() = default;
+  explicit constexpr FilteredSign(bool is_positive) : sign_(is_positive ? Sign::positive : Sign::negative) {}
+
+  [[nodiscard]] constexpr bool is_certain() const { return sign_ != Sign::zero; }
+  /// The sign, if it is certain.
+  [[nodiscard]] constexpr Sign operator*() const { return sign_; }
+
+ private:
+  Sign sign_ = Sign::zero;  // zero: cannot tell
+};
 
 namespace detail {
 
@@ -36,8 +46,8 @@ inline constexpr double underflow_guard = 0x1p-1000;
 
 [[nodiscard]] inline FilteredSign sign_if_beyond(double value, double bound) {
   if (std::abs(value) > bound) [[likely]]
-    return value > 0 ? Sign::positive : Sign::negative;
-  return std::nullopt;
+    return FilteredSign(value > 0);
+  return {};
 }
 
 /// The sign of l - r, each the rounded product of two rounded differences of coordinates.
@@ -55,18 +65,18 @@ inline constexpr double underflow_guard = 0x1p-1000;
 
 // ---- orient2d ----
 
-[[nodiscard]] inline FilteredSign orient2d_filter(Point2 a, Point2 b, Point2 c) {
+[[nodiscard]] inline FilteredSign orient2d_filter(const Point2& a, const Point2& b, const Point2& c) {
   return detail::sign_of_difference((a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x));
 }
-[[nodiscard]] Sign orient2d_exact(Point2 a, Point2 b, Point2 c);
+[[nodiscard]] Sign orient2d_exact(const Point2& a, const Point2& b, const Point2& c);
 
 /// On which side of the line ab does c lie?
 ///
 /// returns  positive if a, b, c turn counter-clockwise (c left of ab), zero if they are collinear
 /// Exact for all finite coordinates. Antisymmetric under every swap of two points.
 /// Filter after Shewchuk, Discrete & Computational Geometry 18 (1997), section 4.
-[[nodiscard]] inline Sign orient2d(Point2 a, Point2 b, Point2 c) {
-  if (const FilteredSign s = orient2d_filter(a, b, c)) [[likely]]
+[[nodiscard]] inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
+  if (const FilteredSign s = orient2d_filter(a, b, c); s.is_certain()) [[likely]]
     return *s;
   return orient2d_exact(a, b, c);
 }
@@ -81,14 +91,15 @@ inline constexpr double underflow_guard = 0x1p-1000;
 /// |B|^2 + |C|^2. 11u/3 < 2^-51 = 4u leaves a twelfth for the terms in u^2. A minor or square that underflows
 /// adds less than 2^-1073 L, a final product 2^-1073: together less than the guard plus 2^-1000 L^2. No term
 /// exceeds L^2, so nothing overflows unless the bound does.
-[[nodiscard]] inline FilteredSign incircle_filter(Point2 a, Point2 b, Point2 c, Point2 d) {
+[[nodiscard]] inline FilteredSign incircle_filter(const Point2& a, const Point2& b, const Point2& c,
+                                                  const Point2& d) {
   const Vec2 u = a - d, v = b - d, w = c - d;
   const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
   const double determinant = uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
   const double size = uu + vv + ww;
   return detail::sign_if_beyond(determinant, 0x1p-51 * (size * size) + detail::underflow_guard);
 }
-[[nodiscard]] Sign incircle_exact(Point2 a, Point2 b, Point2 c, Point2 d);
+[[nodiscard]] Sign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
 /// Does d lie inside the circle through a, b, c?
 ///
@@ -97,14 +108,14 @@ inline constexpr double underflow_guard = 0x1p-1000;
 /// sign of
 ///          the determinant all the same
 /// Exact for all finite coordinates. Antisymmetric under every swap of two of the four points.
-[[nodiscard]] inline Sign incircle(Point2 a, Point2 b, Point2 c, Point2 d) {
-  if (const FilteredSign s = incircle_filter(a, b, c, d)) [[likely]]
+[[nodiscard]] inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  if (const FilteredSign s = incircle_filter(a, b, c, d); s.is_certain()) [[likely]]
     return *s;
   return incircle_exact(a, b, c, d);
 }
 
 /// The sign of incircle(a, b, c, d) after a symbolic perturbation, for four points whose incircle is zero.
-[[nodiscard]] Sign incircle_tie(Point2 a, Point2 b, Point2 c, Point2 d);
+[[nodiscard]] Sign incircle_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
 /// incircle with ties broken by coordinates alone, so that every point set has one Delaunay triangulation.
 ///
@@ -115,7 +126,8 @@ inline constexpr double underflow_guard = 0x1p-1000;
 /// Exact for all finite coordinates. Antisymmetric under every swap of two of the four points.
 /// Method: Devillers and Teillaud, Computational Geometry 44 (2011), "Perturbations for Delaunay and weighted
 /// Delaunay 3D triangulations", here in the plane.
-[[nodiscard]] inline Sign incircle_perturbed(Point2 a, Point2 b, Point2 c, Point2 d) {
+[[nodiscard]] inline Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c,
+                                             const Point2& d) {
   const Sign s = incircle(a, b, c, d);
   if (s != Sign::zero) [[likely]]
     return s;
@@ -124,17 +136,18 @@ inline constexpr double underflow_guard = 0x1p-1000;
 
 // ---- in_diametral_circle ----
 
-[[nodiscard]] inline FilteredSign in_diametral_circle_filter(Point2 p, Point2 a, Point2 b) {
+[[nodiscard]] inline FilteredSign in_diametral_circle_filter(const Point2& p, const Point2& a,
+                                                             const Point2& b) {
   return detail::sign_of_difference((a.x - p.x) * (p.x - b.x), (a.y - p.y) * (b.y - p.y));
 }
-[[nodiscard]] Sign in_diametral_circle_exact(Point2 p, Point2 a, Point2 b);
+[[nodiscard]] Sign in_diametral_circle_exact(const Point2& p, const Point2& a, const Point2& b);
 
 /// Does p lie inside the circle that has ab as a diameter, that is, is the angle apb obtuse?
 ///
 /// returns  positive strictly inside, zero on the circle, negative outside
 /// Exact for all finite coordinates. Unchanged if a and b are swapped.
-[[nodiscard]] inline Sign in_diametral_circle(Point2 p, Point2 a, Point2 b) {
-  if (const FilteredSign s = in_diametral_circle_filter(p, a, b)) [[likely]]
+[[nodiscard]] inline Sign in_diametral_circle(const Point2& p, const Point2& a, const Point2& b) {
+  if (const FilteredSign s = in_diametral_circle_filter(p, a, b); s.is_certain()) [[likely]]
     return *s;
   return in_diametral_circle_exact(p, a, b);
 }
@@ -143,19 +156,19 @@ inline constexpr double underflow_guard = 0x1p-1000;
 
 /// Error bound: 4 roundings in each of the squared distances A and B, and |A - B| <= A + B, so 4u (A + B) and
 /// terms in u^2; 4.4409e-16 is 4u, 4.4410e-16 leaves a hundred-thousandth for them.
-[[nodiscard]] inline FilteredSign compare_distance_filter(Point2 p, Point2 a, Point2 b) {
+[[nodiscard]] inline FilteredSign compare_distance_filter(const Point2& p, const Point2& a, const Point2& b) {
   const Vec2 u = a - p, v = b - p;
   const double uu = dot(u, u), vv = dot(v, v);
   return detail::sign_if_beyond(uu - vv, 4.4410e-16 * (uu + vv) + detail::underflow_guard);
 }
-[[nodiscard]] Sign compare_distance_exact(Point2 p, Point2 a, Point2 b);
+[[nodiscard]] Sign compare_distance_exact(const Point2& p, const Point2& a, const Point2& b);
 
 /// Which of a and b lies farther from p?
 ///
 /// returns  positive if a does, zero if both are equally far, negative if b does
 /// Exact for all finite coordinates. Antisymmetric in a and b.
-[[nodiscard]] inline Sign compare_distance(Point2 p, Point2 a, Point2 b) {
-  if (const FilteredSign s = compare_distance_filter(p, a, b)) [[likely]]
+[[nodiscard]] inline Sign compare_distance(const Point2& p, const Point2& a, const Point2& b) {
+  if (const FilteredSign s = compare_distance_filter(p, a, b); s.is_certain()) [[likely]]
     return *s;
   return compare_distance_exact(p, a, b);
 }
