@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/console.hpp"
+#include "leonhard/app/report/json.hpp"
+#include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/graph/mesh_graph.hpp"
+#include "leonhard/graph/partition.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/draw/draw.hpp"
+#include "leonhard/mesh/edges.hpp"
+#include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/vtu.hpp"
+
+namespace leonhard::app {
+namespace {
+
+struct DrawCommand {
+  CommonOptions common;
+  std::string mesh;
+  std::string what = "mesh";
+  std::string field;
+  std::vector<double> view;
+  std::array<int, 2> size{1600, 1000};
+  std::uint32_t parts = 8;
+  std::string title;
+};
+
+draw::View view_of(const DrawCommand& command) {
+  if (command.view.empty()) return {};
+  const auto& v = command.view;
+  if (!(v[0] < v[2] && v[1] < v[3])) {
+    throw InputError("--view", fmt::format("{:g},{:g},{:g},{:g} is no rectangle", v[0], v[1], v[2], v[3]),
+                     "give xmin,ymin,xmax,ymax");
+  }
+  return {draw::Box{{v[0], v[1]}, {v[2], v[3]}}};
+}
+
+void draw_named_field(const DrawCommand& command, const TriangleMesh& mesh, const draw::PictureSize& size) {
+  const PointField field = io::read_vtu_field(command.mesh, command.field);
+  std::vector<double> values(mesh.vertex_count());
+  for (std::size_t v = 0; v < values.size(); ++v) {  // a vector is drawn by its length
+    double sum = 0;
+    for (std::size_t i = 0; i < field.components; ++i) {
+      const double x = field.values[v * field.components + i];
+      sum += x * x;
+    }
+    values[v] = field.components == 1 ? field.values[v] : std::sqrt(sum);
+  }
+  draw::draw_field(
+      command.common.output, mesh, values,
+      {.size = size, .view = view_of(command), .title = command.title, .value_label = command.field});
+}
+
+ExitCode draw_file(const DrawCommand& command) {
+  const MeshFile file = io::read_mesh(command.mesh);
+  const TriangleMesh& mesh = file.mesh;
+  const draw::PictureSize size{command.size[0], command.size[1]};
+  if (!command.field.empty()) {
+    draw_named_field(command, mesh, size);
+  } else if (command.what == "matrix") {
+    const graph::CsrGraph graph = graph::vertex_graph(mesh, mesh::build_edges(mesh));
+    draw_matrix(command.common.output, graph, both_numberings(graph), command.title, size);
+  } else if (command.what == "partition") {
+    const auto parts =
+        graph::recursive_spectral_bisection(graph::dual_graph(mesh), command.parts, command.common.seed);
+    draw::draw_partition(command.common.output, mesh, parts.part_of, parts.parts,
+                         {.size = size, .view = view_of(command), .title = command.title});
+  } else {
+    const auto fill = command.what == "quality"   ? draw::MeshFill::quality
+                      : command.what == "regions" ? draw::MeshFill::region
+                                                  : draw::MeshFill::none;
+    draw::draw_mesh(command.common.output, mesh,
+                    {.size = size, .view = view_of(command), .title = command.title, .fill = fill});
+  }
+  Console console(command.common.quiet);
+  for (const std::string& warning : file.warnings) console.warning(warning);
+  if (command.common.json)
+    fmt::print("{}\n", Json{{"picture", command.common.output}, {"warnings", file.warnings}}.dump(2));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_draw(CLI::App& program, ExitCode& code) {
+  auto options = std::make_shared<DrawCommand>();
+  CLI::App* command =
+      program.add_subcommand("draw", "A picture of a mesh, its quality, a field, a partition or its matrix");
+  command->add_option("mesh", options->mesh, "A mesh file")->required();
+  command->add_option("--what", options->what, "What to draw")
+      ->check(CLI::IsMember({"mesh", "quality", "regions", "partition", "matrix"}))
+      ->capture_default_str();
+  command->add_option("--field", options->field, "A point field of a .vtu file, e.g. mach");
+  command->add_option("--parts", options->parts, "Parts of the partition")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--view", options->view, "xmin,ymin,xmax,ymax; the whole mesh otherwise")
+      ->delimiter(',')
+      ->expected(4);
+  command->add_option("--size", options->size, "Width,height in pixels")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--title", options->title, "Title of the picture");
+  add_common_flags(*command, options->common, "The picture: .png, .svg or .pdf");
+  command->get_option("--output")->required();
+  command->callback([options, &code] { code = draw_file(*options); });
+}
+
+}  // namespace leonhard::app

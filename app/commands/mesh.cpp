@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "leonhard/app/case/case.hpp"
+#include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/console.hpp"
+#include "leonhard/app/report/mesh_report.hpp"
+#include "leonhard/app/solve/mesh_domain.hpp"
+#include "leonhard/mesh/io/mesh_file.hpp"
+
+namespace leonhard::app {
+namespace {
+
+struct MeshOptions {
+  CommonOptions common;
+  std::string geometry;
+  MesherCase mesher;
+  double size = 0, max_area = 0;
+  BodyCase body;
+  FarFieldCase farfield;
+};
+
+/// A case that has the geometry and nothing else.
+Case case_of(const MeshOptions& options) {
+  const std::filesystem::path file = options.geometry;
+  Case c;
+  c.file = file;
+  c.mesher = options.mesher;
+  if (options.size > 0) c.mesher.size = options.size;
+  c.farfield = options.farfield;
+  if (file.extension() == ".poly") {
+    c.domain_file = file;
+  } else {
+    c.bodies.push_back(options.body);
+    c.bodies[0].file = file;
+    c.bodies[0].name = file.stem().string();
+    c.bodies[0].where = file.string();
+  }
+  return c;
+}
+
+ExitCode mesh(const MeshOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Console console(options.common.quiet);
+  const StopOnSignal signals;
+  const DomainGeometry domain = make_domain(case_of(options));
+  const auto meshed = mesh_domain(domain, options.mesher, options.max_area, signals.token());
+  for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) console.warning(warning);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  io::write_mesh(options.common.output, meshed.mesh);
+  Json report = mesh_report(meshed.mesh);
+  report["refinement"] = to_json(meshed.report);
+  report["seconds"] = {{"mesh", seconds}};
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  if (options.common.json) {
+    fmt::print("{}\n", report.dump(2));
+  } else {
+    fmt::print("{}{:<14}{}, {} points inserted\n", mesh_report_text(report), "refinement",
+               report["refinement"]["outcome"].get<std::string>(), grouped(meshed.report.inserted));
+  }
+  switch (meshed.report.outcome) {
+    case delaunay::RefineOutcome::achieved:
+    case delaunay::RefineOutcome::small_angles_left:
+      return ExitCode::done;
+    case delaunay::RefineOutcome::vertex_budget_spent:
+      return ExitCode::goal_not_met;
+    case delaunay::RefineOutcome::stopped:
+      return ExitCode::stopped;
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& program, ExitCode& code) {
+  auto options = std::make_shared<MeshOptions>();
+  options->common.output = "mesh.su2";
+  CLI::App* command =
+      program.add_subcommand("mesh", "A quality mesh of a planar straight-line graph or about an airfoil");
+  command->add_option("geometry", options->geometry, "PSLG (.poly) or airfoil coordinates (.dat)")
+      ->required();
+  command->add_option("--min-angle", options->mesher.min_angle_deg, "No angle below this, degrees")
+      ->check(CLI::Range(0.0, 34.0))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "Largest edge length")->check(CLI::PositiveNumber);
+  command->add_option("--max-area", options->max_area, "Largest triangle")->check(CLI::PositiveNumber);
+  command->add_option("--max-vertices", options->mesher.max_vertices, "Stop at this many vertices")
+      ->capture_default_str();
+  command
+      ->add_option("--growth", options->mesher.growth,
+                   "Airfoils: growth of the edge length per unit of distance")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  command->add_option("--spacing", options->body.spacing, "Airfoils: edge length on the body, chords")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--distance", options->farfield.distance, "Airfoils: radius of the far field, chords")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_common_flags(*command, options->common,
+                   "The mesh file; its extension is its format (default mesh.su2)");
+  command->callback([options, &code] { code = mesh(*options); });
+}
+
+}  // namespace leonhard::app

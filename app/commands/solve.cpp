@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <thread>
+
+#include "leonhard/app/case/case.hpp"
+#include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/report/staged_folder.hpp"
+#include "leonhard/app/report/write.hpp"
+#include "leonhard/app/solve/stage_clock.hpp"
+#include "leonhard/app/solve/steps.hpp"
+#include "leonhard/solver/linear_solver.hpp"
+
+namespace leonhard::app {
+namespace {
+
+struct SolveOptions {
+  CommonOptions common;
+  std::string case_file;
+  bool dry_run = false;
+};
+
+/// One step: timed, then told on the console.
+template <class Step>
+void take(SolveRun& run, Console& console, const char* name, Step&& step) {
+  std::string told;
+  {
+    StageClock clock(run, name);
+    told = step();
+  }
+  console.stage(name, told, run.stages.back().seconds);
+}
+
+void tell_the_end(const SolveRun& run, const std::filesystem::path& folder, const Json& report,
+                  bool as_json) {
+  if (as_json) {
+    fmt::print("{}\n", report.dump(2));
+    return;
+  }
+  fmt::print("{}\n", run.flow.words);
+  fmt::print("CL {:.5f}   CD {:.5f}   CM {:.5f}\n", run.flow.forces.cl, run.flow.forces.cd,
+             run.flow.forces.cm);
+  fmt::print("Report: {}\n", (folder / "report.html").string());
+}
+
+/// Whether the flow equations were wanted: the way of the data, step by step.
+ExitCode solve(const SolveOptions& options) {
+  SolveRun run;
+  run.the_case = read_case(options.case_file);
+  if (!options.common.output.empty()) run.the_case.output.folder = options.common.output;
+  if (options.dry_run) {
+    fmt::print("{}", describe(run.the_case));
+    return ExitCode::done;
+  }
+  run.threads = options.common.threads > 0
+                    ? options.common.threads
+                    : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  Console console(options.common.quiet);
+  const StopOnSignal signals;
+  const std::stop_token stop = signals.token();
+  StagedFolder output(run.the_case.output.folder);
+  const PetscSession petsc;
+  try {
+    take(run, console, "geometry", [&] { return step_geometry(run); });
+    take(run, console, "mesh", [&] { return step_mesh(run, stop); });
+    take(run, console, "account", [&] { return step_account(run); });
+    take(run, console, "order", [&] { return step_order(run); });
+    take(run, console, "partition", [&] { return step_partition(run, options.common.seed, stop); });
+    take(run, console, "march", [&] { return step_march(run, console, stop); });
+  } catch (const StoppedEarly& early) {
+    fmt::print(stderr, "leonhard: stopped {}; nothing was written\n", early.where);
+    return ExitCode::stopped;
+  }
+  const Json report = write_report(run, output.stage());
+  output.commit();
+  console.stage("write", output.folder().string(), run.stages.back().seconds);
+  for (const std::string& warning : run.warnings) console.warning(warning);
+  tell_the_end(run, output.folder(), report, options.common.json);
+  if (run.flow.verdict == Verdict::stopped) return ExitCode::stopped;
+  return run.goal_met() ? ExitCode::done : ExitCode::goal_not_met;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& program, ExitCode& code) {
+  auto options = std::make_shared<SolveOptions>();
+  CLI::App* command = program.add_subcommand(
+      "solve", "From a case file to its flow: mesh, proof, order, partition, march, report");
+  command->add_option("case", options->case_file, "The case file (docs/case-file.md lists every key)")
+      ->required();
+  command->add_flag("--dry-run", options->dry_run,
+                    "Check the case and print every key with the value in force; do nothing");
+  add_common_flags(*command, options->common, "Folder of the results (default: output.folder of the case)");
+  command->callback([options, &code] { code = solve(*options); });
+}
+
+}  // namespace leonhard::app

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "leonhard/app/case/case.hpp"
+#include "leonhard/app/case/conditions.hpp"
+#include "leonhard/app/geometry/assemble.hpp"
+#include "leonhard/delaunay/refine.hpp"
+#include "leonhard/graph/fill.hpp"
+#include "leonhard/graph/ordering.hpp"
+#include "leonhard/graph/partition.hpp"
+#include "leonhard/mesh/edges.hpp"
+#include "leonhard/mesh/euler.hpp"
+#include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/quality.hpp"
+#include "leonhard/mesh/triangle_mesh.hpp"
+#include "leonhard/solver/steady.hpp"
+
+namespace leonhard::app {
+
+struct StageTime {
+  std::string name;
+  double seconds{};
+};
+
+/// The mesh's area against the polygon's, both exact: decimal for the reader, equality decided in rationals.
+struct AreaAccount {
+  double mesh{};
+  double polygon{};
+  bool equal{};
+  double difference{};  ///< mesh less polygon, rounded from the exact difference
+};
+
+/// What a numbering costs, and the pattern of the matrix that it gives.
+struct Numbering {
+  std::string name;
+  graph::OrderingCost cost;
+  std::uint64_t fill{};
+  std::vector<std::uint32_t> order;  ///< order[new] = vertex of the graph
+};
+
+/// Everything that one run of `leonhard solve` knows, filled step by step (solve/steps.hpp) and read by the
+/// report.
+struct SolveRun {
+  Case the_case;
+  std::optional<DomainGeometry> geometry;            ///< none where the case names a mesh
+  std::optional<delaunay::RefineReport> refinement;  ///< likewise
+
+  TriangleMesh mesh;  ///< in the numbering of the solver
+  EdgeStructure edges;
+  std::map<Marker, NamedCondition> conditions;
+
+  EulerAccount euler;
+  MeshQuality quality;
+  Fingerprint fingerprint;
+  std::optional<AreaAccount> area;  ///< none where there is no polygon to compare with
+
+  std::optional<graph::CsrGraph> vertex_graph;  ///< of the mesh as it came, before ordering
+  std::vector<Numbering> numberings;            ///< as it came, then as ordered
+  graph::Partition triangle_parts;
+  graph::PartitionCost partition_cost;
+
+  SteadyResult flow;
+
+  std::vector<StageTime> stages;
+  std::vector<std::string> warnings;
+  double total_seconds{};
+  int threads{};
+
+  /// Verdicts that count as "done": the rest is a goal not met, or a stop.
+  [[nodiscard]] bool goal_met() const {
+    return flow.verdict == Verdict::converged || flow.verdict == Verdict::settled;
+  }
+};
+
+}  // namespace leonhard::app

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/app/solve/steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/app/solve/mesh_domain.hpp"
+#include "leonhard/delaunay/triangulate.hpp"
+#include "leonhard/graph/mesh_graph.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/exact_area.hpp"
+#include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/permute.hpp"
+
+namespace leonhard::app {
+namespace {
+
+void mesh_the_domain(SolveRun& run, std::stop_token stop) {
+  auto refined = mesh_domain(*run.geometry, run.the_case.mesher, -1, stop);
+  if (refined.report.outcome == delaunay::RefineOutcome::stopped) throw StoppedEarly{"while meshing"};
+  run.warnings = mesh_warnings(refined.report, run.the_case.mesher);
+  run.mesh = std::move(refined.mesh);
+  run.refinement = std::move(refined.report);
+}
+
+/// What the boundary conditions of the case mean on this mesh's markers.
+void match_markers(SolveRun& run, const std::string& source) {
+  std::set<Marker> used;
+  for (const MarkedEdge& edge : run.mesh.boundary) used.insert(edge.marker);
+  run.conditions = match_conditions(run.the_case, {used.begin(), used.end()}, run.mesh.marker_names, source);
+  for (const auto& [marker, condition] : run.conditions) run.mesh.marker_names[marker] = condition.name;
+}
+
+/// The polygon's area is that of its constrained Delaunay triangulation without new points, in rationals.
+AreaAccount area_account(const SolveRun& run) {
+  const mpq_class polygon2 = mesh::exact_area2(delaunay::triangulate(run.geometry->pslg).mesh);
+  const mpq_class mesh2 = mesh::exact_area2(run.mesh);
+  const mpq_class difference2 = mesh2 - polygon2;
+  return {mesh2.get_d() / 2, polygon2.get_d() / 2, difference2 == 0, difference2.get_d() / 2};
+}
+
+BoundaryKind boundary_kind(Condition condition) {
+  switch (condition) {
+    case Condition::slip_wall:
+      return BoundaryKind::slip_wall;
+    case Condition::far_field:
+      return BoundaryKind::far_field;
+    case Condition::supersonic_inflow:
+      return BoundaryKind::supersonic_inflow;
+    case Condition::supersonic_outflow:
+      return BoundaryKind::supersonic_outflow;
+    case Condition::symmetry:
+      return BoundaryKind::symmetry;
+  }
+  return BoundaryKind::slip_wall;
+}
+
+EulerProblem problem_of(const SolveRun& run) {
+  const Case& c = run.the_case;
+  EulerProblem problem{.mesh = run.mesh,
+                       .gas = {c.flow.gamma},
+                       .free_stream = {c.flow.mach, c.flow.alpha_deg * std::numbers::pi / 180},
+                       .boundary = {},
+                       .reference = {c.reference.length, c.reference.moment_centre},
+                       .vortex_correction = c.farfield.vortex_correction,
+                       .vortex_centre = c.reference.moment_centre,
+                       .outer_state = {}};
+  for (const auto& [marker, condition] : run.conditions)
+    problem.boundary[marker] = boundary_kind(condition.kind);
+  return problem;
+}
+
+SteadyOptions options_of(const SolveRun& run) {
+  const SolverCase& s = run.the_case.solver;
+  SteadyOptions options;
+  options.marching =
+      s.marching == MarchingChoice::implicit_ptc ? Marching::implicit_ptc : Marching::explicit_multistage;
+  options.limiter = s.limiter == LimiterChoice::none              ? LimiterKind::none
+                    : s.limiter == LimiterChoice::barth_jespersen ? LimiterKind::barth_jespersen
+                                                                  : LimiterKind::venkatakrishnan;
+  options.venkatakrishnan_k = s.venkatakrishnan_k;
+  options.order = s.order;
+  options.cfl_start = s.cfl_start;
+  options.cfl_max = s.cfl_max;
+  options.residual_drop_orders = s.residual_drop_orders;
+  options.settle_tolerance = s.settle_tolerance;
+  options.settle_window = s.settle_window;
+  options.max_iterations = s.max_iterations;
+  options.threads = run.threads;
+  return options;
+}
+
+/// Seconds until the residual has fallen as asked, from its fall over the last iterations; none if it does not fall.
+std::optional<double> seconds_left(const std::vector<Iteration>& recent, double goal) {
+  if (recent.size() < 2) return {};
+  const double orders = recent.back().residual_drop_orders - recent.front().residual_drop_orders;
+  const double seconds = recent.back().seconds - recent.front().seconds;
+  if (orders <= 0) return {};
+  return std::max(0.0, (goal - recent.back().residual_drop_orders) / orders * seconds);
+}
+
+}  // namespace
+
+std::string step_geometry(SolveRun& run) {
+  if (!run.the_case.mesh_file.empty()) return "none: the case names a mesh";
+  run.geometry = make_domain(run.the_case);
+  const auto& pslg = run.geometry->pslg;
+  return fmt::format("{} points, {} segments, {} bodies", grouped(pslg.points.size()),
+                     grouped(pslg.segments.size()), run.geometry->body_names.size());
+}
+
+std::string step_mesh(SolveRun& run, std::stop_token stop) {
+  std::string source;
+  if (run.geometry) {
+    mesh_the_domain(run, stop);
+    source = run.geometry->pslg.source;
+  } else {
+    MeshFile file = io::read_mesh(run.the_case.mesh_file);
+    run.warnings.insert(run.warnings.end(), file.warnings.begin(), file.warnings.end());
+    run.mesh = std::move(file.mesh);
+    source = run.the_case.mesh_file.string();
+  }
+  match_markers(run, source);
+  return fmt::format("{} vertices, {} triangles", grouped(run.mesh.vertex_count()),
+                     grouped(run.mesh.triangle_count()));
+}
+
+std::string step_account(SolveRun& run) {
+  run.edges = mesh::build_edges(run.mesh);
+  run.euler = mesh::euler_account(run.mesh, run.edges);
+  for (const auto& formula : run.euler.formulas) {
+    if (formula.holds()) continue;
+    throw InputError(
+        run.the_case.file.string(),
+        fmt::format("Euler's account of the mesh does not balance: {}: {} on the left, {} on the right",
+                    formula.words, formula.lhs, formula.rhs),
+        "if the mesh came from a file, check its cells; if Leonhard made it, please report the case");
+  }
+  run.quality = mesh::quality(run.mesh);
+  run.fingerprint = mesh::fingerprint(run.mesh);
+  if (run.geometry) run.area = area_account(run);
+  return fmt::format("Euler's account balances; angles {:.1f}° to {:.1f}°; fingerprint {}",
+                     run.quality.min_angle_deg, run.quality.max_angle_deg, run.fingerprint.hex());
+}
+
+std::string step_order(SolveRun& run) {
+  run.vertex_graph = graph::vertex_graph(run.mesh, run.edges);
+  run.numberings.push_back(
+      numbering("as meshed", *run.vertex_graph, graph::natural_order(*run.vertex_graph)));
+  if (run.the_case.ordering == OrderChoice::none) return "kept as meshed";
+  run.numberings.push_back(
+      numbering("reverse Cuthill-McKee", *run.vertex_graph, graph::reverse_cuthill_mckee(*run.vertex_graph)));
+  const auto new_of_old = graph::invert(run.numberings.back().order);
+  PerId<VertexId, VertexId> renumbering(new_of_old.size());
+  for (std::size_t old = 0; old < new_of_old.size(); ++old) {
+    renumbering[VertexId::from(old)] = VertexId::from(new_of_old[old]);
+  }
+  run.mesh = mesh::renumber_vertices(run.mesh, renumbering);
+  run.edges = mesh::build_edges(run.mesh);
+  return fmt::format("bandwidth {} to {}, fill {} to {}", grouped(run.numberings[0].cost.bandwidth),
+                     grouped(run.numberings[1].cost.bandwidth), grouped(run.numberings[0].fill),
+                     grouped(run.numberings[1].fill));
+}
+
+std::string step_partition(SolveRun& run, std::uint64_t seed, std::stop_token stop) {
+  const graph::CsrGraph dual = graph::dual_graph(run.mesh);
+  const auto parts = static_cast<std::uint32_t>(run.the_case.parts);
+  if (run.the_case.partitioning == PartitionChoice::spectral) {
+    Progress progress;
+    progress.stop = stop;
+    run.triangle_parts = graph::recursive_spectral_bisection(dual, parts, seed, progress);
+  } else {
+    std::vector<Point2> centroids;
+    centroids.reserve(run.mesh.triangle_count());
+    for (const auto& [a, b, c] : run.mesh.corners) {
+      const Point2 p = run.mesh.points[a], q = run.mesh.points[b], r = run.mesh.points[c];
+      centroids.push_back({(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3});
+    }
+    run.triangle_parts = graph::recursive_coordinate_bisection(centroids, parts);
+  }
+  run.partition_cost = graph::partition_cost(dual, run.triangle_parts);
+  return fmt::format("{} parts, {} edges cut, imbalance {:.3f}", parts, grouped(run.partition_cost.cut),
+                     run.partition_cost.imbalance);
+}
+
+std::string step_march(SolveRun& run, Console& console, std::stop_token stop) {
+  std::vector<Iteration> recent;
+  const double goal = run.the_case.solver.residual_drop_orders;
+  const auto monitor = [&](const Iteration& now) {
+    if (!console.talks()) return;
+    recent.push_back(now);
+    if (recent.size() > 20) recent.erase(recent.begin());
+    const auto left = seconds_left(recent, goal);
+    console.transient(
+        fmt::format("iteration {:>5}   residual down {:>5.2f} orders   CL {:>8.5f}   CD {:>8.5f}   {}",
+                    now.number, now.residual_drop_orders, now.cl, now.cd,
+                    left ? fmt::format("{:.0f} s left", std::ceil(*left)) : ""));
+  };
+  run.flow = solver::solve_steady(problem_of(run), options_of(run), monitor, stop);
+  return fmt::format("{}: {} iterations, residual down {:.1f} orders", to_string(run.flow.verdict),
+                     run.flow.history.empty() ? 0 : run.flow.history.back().number,
+                     run.flow.history.empty() ? 0.0 : run.flow.history.back().residual_drop_orders);
+}
+
+}  // namespace leonhard::app
