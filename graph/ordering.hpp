@@ -23,7 +23,8 @@ namespace leonhard::graph {
 
 /// The reverse Cuthill-McKee ordering: small bandwidth and profile for a banded or incomplete factorisation.
 ///
-/// Each component is visited breadth first from a pseudo-peripheral vertex, neighbours by increasing degree,
+/// Each component is visited breadth first from a pseudo-peripheral vertex (searched from a vertex of least degree),
+/// neighbours by increasing degree,
 /// ties by index; then the whole sequence is reversed. Components follow one another by smallest vertex
 /// before reversal. returns order[new] = old Method: Cuthill and McKee (1969); George (1971) for the
 /// reversal; Barth's notes 2.2. Cost O(n + m log d).
