@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "leonhard/mesh/id.hpp"
+
+namespace leonhard::delaunay {
+
+/// Side i of triangle t has number 3 t + i and lies opposite corner i.
+using SideId = Id<struct TriangulationSideTag>;
+
+/// A triangulation of the sphere as pure combinatorics: no coordinates. One vertex may be the ghost: it stands for
+/// all that lies outside, so that every side has a triangle behind it. A ghost triangle (ghost, a, b) lies behind
+/// the outer edge b -> a of a real triangle; its corner 0 is the ghost. Where the domain has several boundaries,
+/// each of them has its own ring of ghost triangles about the one ghost.
+///
+/// 24 bytes a triangle: three corners, counter-clockwise, and three twin sides.
+class GhostTriangulation {
+ public:
+  static constexpr VertexId ghost{std::numeric_limits<IdRaw>::max() - 1};
+
+  [[nodiscard]] static SideId side(TriangleId t, unsigned i) { return SideId{3 * t.raw + i}; }
+  [[nodiscard]] static TriangleId triangle(SideId s) { return TriangleId{s.raw / 3}; }
+  [[nodiscard]] static SideId next(SideId s) { return SideId{s.raw % 3 == 2 ? s.raw - 2 : s.raw + 1}; }
+  [[nodiscard]] static SideId previous(SideId s) { return SideId{s.raw % 3 == 0 ? s.raw + 2 : s.raw - 1}; }
+
+  [[nodiscard]] std::size_t triangle_count() const { return corners_.size() / 3; }
+  [[nodiscard]] VertexId corner(TriangleId t, unsigned i) const { return corners_[3 * t.index() + i]; }
+  /// The corner that the side lies opposite to.
+  [[nodiscard]] VertexId apex(SideId s) const { return corners_[s.index()]; }
+  /// A side runs from its origin to its destination, its triangle on the left.
+  [[nodiscard]] VertexId origin(SideId s) const { return corners_[next(s).index()]; }
+  [[nodiscard]] VertexId destination(SideId s) const { return corners_[previous(s).index()]; }
+  /// The same edge seen from the other triangle, running the other way.
+  [[nodiscard]] SideId twin(SideId s) const { return twins_[s.index()]; }
+  [[nodiscard]] bool is_ghost(TriangleId t) const { return corners_[3 * t.index()] == ghost; }
+  /// The next side counter-clockwise about the common origin.
+  [[nodiscard]] SideId turn_about_origin(SideId s) const { return twin(previous(s)); }
+
+  void reserve(std::size_t triangles) {
+    corners_.reserve(3 * triangles);
+    twins_.reserve(3 * triangles);
+  }
+  /// A new triangle, counter-clockwise, not yet linked. The ghost, if any, must come first.
+  TriangleId add(VertexId a, VertexId b, VertexId c) {
+    corners_.insert(corners_.end(), {a, b, c});
+    twins_.resize(corners_.size());
+    return TriangleId::from(triangle_count() - 1);
+  }
+  void set_corners(TriangleId t, VertexId a, VertexId b, VertexId c) {
+    VertexId* const at = corners_.data() + 3 * t.index();
+    at[0] = a;
+    at[1] = b;
+    at[2] = c;
+  }
+  void link(SideId s, SideId t) {
+    twins_[s.index()] = t;
+    twins_[t.index()] = s;
+  }
+
+  /// The first triangle with its three ghosts. The triangulation must be empty.
+  void start(VertexId a, VertexId b, VertexId c);
+
+  /// Replace the diagonal s of a quadrilateral of real triangles by the other one. Afterwards s and its twin are
+  /// other sides; the sides around are renumbered as told.
+  struct Flipped {
+    SideId diagonal;  ///< the new diagonal, one of its two sides
+    std::array<std::pair<SideId, SideId>, 4>
+        moved;  ///< outer sides of the quadrilateral: old number, new number
+  };
+  Flipped flip(SideId s);
+
+  /// The first broken invariant in words: twins that do not point back or do not share their ends, a repeated
+  /// corner, a ghost elsewhere than at corner 0. Cost O(triangles).
+  [[nodiscard]] std::optional<std::string> validate() const;
+
+ private:
+  std::vector<VertexId> corners_;
+  std::vector<SideId> twins_;
+};
+
+}  // namespace leonhard::delaunay
