@@ -10,6 +10,7 @@
 
 #include "leonhard/app/case/spelling.hpp"
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/did_you_mean.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -91,10 +92,10 @@ void CaseLog::raise() const {
     const std::string kind = first.is_section ? "section" : "key";
     const std::string problem = fmt::format("unknown {} \"{}\"", kind, joined(first.shown, first.key));
     const std::vector<std::string> here = keys_below(first.section, all);
-    if (const auto nearest = nearest_word(first.key, here))
-      throw InputError(first.where, problem, "did you mean \"" + joined(first.shown, *nearest) + "\"?");
+    if (const std::string near = io::did_you_mean(first.key, here); !near.empty())
+      throw InputError(first.where, problem, near);
     for (const KnownKey& entry : all)  // the right key in the wrong section
-      if (edit_distance(last_part(entry.key), first.key) <= 1)
+      if (io::edit_distance(last_part(entry.key), first.key) <= 1)
         throw InputError(first.where, problem, "did you mean \"" + entry.key + "\"?");
     throw InputError(first.where, problem, suggestion(first.key, here));
   }

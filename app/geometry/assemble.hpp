@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct DomainGeometry {
   Pslg pslg;                        ///< markers 1..n: the bodies in order; n + 1: "farfield"; names in it
   std::vector<SizeSource> sources;  ///< one a boundary point of the bodies; empty: max_size alone
   double growth = 0;                ///< of the size with the distance to a source
-  double max_size = -1;             ///< negative: no bound
+  double max_size = std::numeric_limits<double>::infinity();  ///< of an edge, anywhere
 
   std::vector<std::string> body_names;        ///< body i has marker i + 1
   std::vector<std::vector<Point2>> outlines;  ///< of each body, counter-clockwise, as in pslg

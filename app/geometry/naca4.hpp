@@ -36,9 +36,8 @@ class Naca4 {
   [[nodiscard]] OutlineCurve outline() const;
 
  private:
-  double camber_, camber_at_, thickness_;
-  double c4_;
-  double stretch_;  ///< chord fraction 1 in the thickness formula's own x
+  double camber_ = 0, camber_at_ = 0, thickness_ = 0;
+  TrailingEdge trailing_edge_;
 };
 
 }  // namespace leonhard::app

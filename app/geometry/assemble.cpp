@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/app/geometry/assemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <span>
+
+#include "leonhard/app/case/conditions.hpp"
+#include "leonhard/app/geometry/curve.hpp"
+#include "leonhard/app/geometry/dyadic_grid.hpp"
+#include "leonhard/app/geometry/naca4.hpp"
+#include "leonhard/app/geometry/outline_checks.hpp"
+#include "leonhard/app/geometry/spacing.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/airfoil_dat.hpp"
+#include "leonhard/mesh/io/pslg_file.hpp"
+
+namespace leonhard::app {
+namespace {
+
+constexpr int least_far_field_edges = 12;
+
+struct Box {
+  Point2 low, high;
+  [[nodiscard]] Point2 centre() const { return low + 0.5 * (high - low); }
+  [[nodiscard]] double extent() const { return std::max(high.x - low.x, high.y - low.y); }
+  [[nodiscard]] double largest() const {
+    return std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)});
+  }
+  void include(Point2 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+};
+
+Box box_of(std::span<const Point2> points) {
+  Box box{points.front(), points.front()};
+  for (const Point2 p : points) box.include(p);
+  return box;
+}
+
+/// The body's curve where it will lie.
+OutlineCurve placed_curve(const BodyCase& body) {
+  const Placement placement{body.scale, body.rotation_deg, body.translation};
+  if (!body.naca.empty()) return place(Naca4(body.naca, body.trailing_edge, body.where).outline(), placement);
+  const AirfoilCoordinates airfoil = io::read_airfoil(body.file);
+  check_outline({body.name, body.file.string(), airfoil.points});
+  if (airfoil.points.size() < 4)
+    throw InputError(body.file.string(),
+                     fmt::format("body \"{}\" has {} points only", body.name, airfoil.points.size()),
+                     "a curve needs at least 4");
+  return place(spline_outline(airfoil.points, airfoil.blunt_trailing_edge, body.corner_angle_deg), placement);
+}
+
+NamedOutline outline_of(const BodyCase& body, double chord) {
+  const OutlineSpacing spacing{.elsewhere = body.spacing * chord,
+                               .leading_edge = body.leading_edge_spacing * chord,
+                               .trailing_edge = body.trailing_edge_spacing * chord};
+  return {body.name, body.where, distribute(placed_curve(body), spacing)};
+}
+
+/// Put an outline's points on the grid, counter-clockwise.
+void snap(NamedOutline& outline, const DyadicGrid& grid) {
+  for (Point2& p : outline.points) p = grid(p);
+  if (rounded_area2(outline.points) < 0) std::ranges::reverse(outline.points);
+}
+
+std::vector<Point2> far_field_circle(Point2 centre, double radius, double spacing, const DyadicGrid& grid) {
+  const int edges =
+      std::max(least_far_field_edges, static_cast<int>(std::ceil(2 * std::numbers::pi * radius / spacing)));
+  std::vector<Point2> circle;
+  for (int i = 0; i < edges; ++i) {
+    const double angle = 2 * std::numbers::pi * i / edges;
+    circle.push_back(grid(centre + radius * Vec2{std::cos(angle), std::sin(angle)}));
+  }
+  return circle;
+}
+
+void add_loop(Pslg& pslg, const std::vector<Point2>& loop, Marker marker, const std::string& name) {
+  const std::size_t first = pslg.points.size();
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    pslg.points.push_back(loop[i]);
+    pslg.point_markers.push_back(marker);
+    pslg.segments.push_back({first + i, first + (i + 1) % loop.size(), marker});
+  }
+  pslg.marker_names[marker] = name;
+}
+
+/// Each boundary point asks for the longer of its two edges.
+void add_sources(const std::vector<Point2>& loop, std::vector<SizeSource>& sources) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point2 before = loop[(i + loop.size() - 1) % loop.size()], after = loop[(i + 1) % loop.size()];
+    sources.push_back({loop[i], std::max(distance(before, loop[i]), distance(loop[i], after))});
+  }
+}
+
+void check_edge_count(const Case& c, double radius, double spacing) {
+  if (radius / spacing > 1e6)
+    throw InputError(
+        c.file.string(),
+        fmt::format("farfield.spacing = {} asks for millions of edges on the far field", spacing),
+        "raise farfield.spacing");
+}
+
+DomainGeometry domain_about_bodies(const Case& c) {
+  const double chord = c.reference.length;
+  std::vector<NamedOutline> bodies;
+  for (const BodyCase& body : c.bodies) bodies.push_back(outline_of(body, chord));
+  Box box = box_of(bodies.front().points);
+  for (const NamedOutline& body : bodies) {
+    const Box other = box_of(body.points);
+    box.include(other.low);
+    box.include(other.high);
+  }
+  DomainGeometry domain;
+  domain.body_extent = box.extent();
+  domain.centre = c.farfield.centre.value_or(box.centre());
+  domain.growth = c.mesher.growth;
+  domain.max_size = chord * std::min(c.farfield.spacing, c.mesher.size.value_or(c.farfield.spacing));
+  const double radius = c.farfield.distance * chord;
+  check_edge_count(c, radius, domain.max_size);
+
+  const double reach = std::max(std::abs(domain.centre.x), std::abs(domain.centre.y)) + radius;
+  const DyadicGrid grid(box.extent(), std::max(box.largest(), reach));
+  for (NamedOutline& body : bodies) snap(body, grid);
+  const std::vector<Point2> circle = far_field_circle(domain.centre, radius, domain.max_size, grid);
+  for (const NamedOutline& body : bodies) check_outline(body);
+  check_inside_far_field(bodies, circle, c.file.string());
+  check_apart(bodies);
+
+  domain.pslg.source = c.file.string();
+  for (const NamedOutline& body : bodies) {
+    domain.body_names.push_back(body.name);
+    add_loop(domain.pslg, body.points, static_cast<Marker>(domain.body_names.size()), body.name);
+    domain.pslg.holes.push_back(point_inside(body));
+    add_sources(body.points, domain.sources);
+    domain.outlines.push_back(body.points);
+  }
+  add_loop(domain.pslg, circle, static_cast<Marker>(bodies.size() + 1), "farfield");
+  return domain;
+}
+
+/// The names that [boundary.N] sections give to markers, after checking that sections and markers agree.
+void name_markers(const Case& c, Pslg& pslg) {
+  std::vector<Marker> used;
+  for (const Pslg::Segment& segment : pslg.segments)
+    if (segment.marker != 0) used.push_back(segment.marker);
+  for (const auto& [marker, condition] : match_conditions(c, used, pslg.marker_names, c.domain_file.string()))
+    pslg.marker_names[marker] = condition.name;
+}
+
+DomainGeometry domain_from_file(const Case& c) {
+  DomainGeometry domain;
+  domain.pslg = io::read_pslg(c.domain_file);
+  if (domain.pslg.points.size() < 3 || domain.pslg.segments.empty())
+    throw InputError(c.domain_file.string(),
+                     fmt::format("{} points and {} segments enclose no domain", domain.pslg.points.size(),
+                                 domain.pslg.segments.size()),
+                     "give the boundary as segments");
+  name_markers(c, domain.pslg);
+  const Box box = box_of(domain.pslg.points);
+  if (!(box.extent() > 0) || !std::isfinite(box.extent()))
+    throw InputError(c.domain_file.string(), fmt::format("the points span {}", box.extent()),
+                     "correct the coordinates");
+  const DyadicGrid grid(box.extent(), box.largest());
+  const std::set<Point2> before(domain.pslg.points.begin(), domain.pslg.points.end());
+  for (Point2& p : domain.pslg.points) p = grid(p);
+  if (std::set<Point2>(domain.pslg.points.begin(), domain.pslg.points.end()).size() != before.size())
+    throw InputError(c.domain_file.string(),
+                     fmt::format("two different points are nearer than {}, 2^-36 of the domain", grid.step()),
+                     "merge them");
+  domain.body_extent = box.extent();
+  domain.centre = box.centre();
+  if (c.mesher.size) domain.max_size = *c.mesher.size * c.reference.length;
+  return domain;
+}
+
+}  // namespace
+
+DomainGeometry make_domain(const Case& c) {
+  if (!c.mesh_file.empty())
+    throw InputError(c.file.string(), "the case gives a ready mesh, there is no geometry to mesh",
+                     "use the mesh");
+  return c.domain_file.empty() ? domain_about_bodies(c) : domain_from_file(c);
+}
+
+}  // namespace leonhard::app
