@@ -47,7 +47,7 @@ int main(int argc, char** argv) try {
   return static_cast<int>(code);
 } catch (const leonhard::InputError& error) {
   return say(ExitCode::bad_input, error.what());
-} catch (const leonhard::io::OutputError& error) {
+} catch (const leonhard::OutputError& error) {
   return say(ExitCode::bad_input, error.what());
 } catch (const std::bad_alloc&) {
   return say(ExitCode::bad_input, "out of memory: this machine has too little for a problem of this size");

@@ -23,21 +23,20 @@ std::vector<Numbering> both_numberings(const graph::CsrGraph& graph) {
 void draw_matrix(const std::filesystem::path& path, const graph::CsrGraph& graph,
                  std::span<const Numbering> numberings, const std::string& title,
                  const draw::PictureSize& size) {
-  std::vector<std::vector<std::size_t>> offsets(numberings.size());
-  std::vector<std::vector<std::uint32_t>> links(numberings.size());
+  std::vector<std::uint32_t> offsets{0}, links;
+  for (std::uint32_t row = 0; row < graph::vertex_count(graph); ++row) {
+    const auto neighbours = graph::neighbours(graph, row);
+    links.insert(links.end(), neighbours.begin(), neighbours.end());
+    offsets.push_back(static_cast<std::uint32_t>(links.size()));
+  }
   std::vector<draw::MatrixPattern> patterns;
-  for (std::size_t i = 0; i < numberings.size(); ++i) {
-    const Numbering& numbering = numberings[i];
-    const auto new_of_old = graph::invert(numbering.order);
-    offsets[i].push_back(0);
-    for (const std::uint32_t old : numbering.order) {
-      for (const std::uint32_t neighbour : graph::neighbours(graph, old))
-        links[i].push_back(new_of_old[neighbour]);
-      offsets[i].push_back(links[i].size());
-    }
-    patterns.push_back({offsets[i], links[i], numbering.name,
-                        fmt::format("bandwidth {}, envelope {}, fill {}", grouped(numbering.cost.bandwidth),
-                                    grouped(numbering.cost.envelope), grouped(numbering.fill))});
+  for (const Numbering& numbering : numberings) {
+    patterns.push_back({.offsets = offsets,
+                        .links = links,
+                        .order = numbering.order,
+                        .title = numbering.name,
+                        .subtitle = fmt::format("bandwidth {}, envelope {}, fill {}", grouped(numbering.cost.bandwidth),
+                                                grouped(numbering.cost.envelope), grouped(numbering.fill))});
   }
   draw::draw_pattern(path, patterns, title, size);
 }
