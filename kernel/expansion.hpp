@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -73,6 +72,12 @@ class Expansion {
     append(value.low);
     append(value.high);
   }
+  /// The same value with room for more terms.
+  template <std::size_t Smaller>
+  explicit Expansion(const Expansion<Smaller>& value) {
+    static_assert(Smaller < Capacity);
+    for (std::size_t i = 0; i < value.size(); ++i) append(value[i]);
+  }
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] double operator[](std::size_t i) const { return terms_[i]; }
@@ -138,14 +143,16 @@ template <std::size_t N>
   return product;
 }
 
-/// The sum of e f[i] for i in [begin, end), by halves: log2 of the length many roundings of additions a term.
+/// The sum of e f[i] over the next Terms of f from `begin` on, by halves: a term passes through log2(Terms)
+/// additions, and halves that f does not reach cost nothing.
 template <std::size_t Terms, std::size_t N, std::size_t M>
 [[nodiscard]] Expansion<2 * N * Terms> partial_product(const Expansion<N>& e, const Expansion<M>& f,
                                                        std::size_t begin) {
   if constexpr (Terms == 1) {
-    return begin < f.size() ? e * f[begin] : Expansion<2 * N>{};
+    return e * f[begin];
   } else {
     constexpr std::size_t half = Terms / 2;
+    if (f.size() <= begin + half) return Expansion<2 * N * Terms>(partial_product<half>(e, f, begin));
     return partial_product<half>(e, f, begin) + partial_product<Terms - half>(e, f, begin + half);
   }
 }
@@ -153,12 +160,8 @@ template <std::size_t Terms, std::size_t N, std::size_t M>
 /// Exact product; cheapest if f is the shorter one.
 template <std::size_t N, std::size_t M>
 [[nodiscard]] Expansion<2 * N * M> operator*(const Expansion<N>& e, const Expansion<M>& f) {
+  if (f.size() == 0) return {};
   return partial_product<M>(e, f, 0);
-}
-
-template <std::size_t N>
-[[nodiscard]] Expansion<2 * N * N> square(const Expansion<N>& e) {
-  return e * e;
 }
 
 }  // namespace leonhard::kernel

@@ -105,8 +105,7 @@ inline constexpr double underflow_guard = 0x1p-1000;
 ///
 /// a, b, c  counter-clockwise; if they turn clockwise the sign is reversed
 /// returns  positive if d lies inside, zero on the circle, negative outside; if a, b, c are collinear, the
-/// sign of
-///          the determinant all the same
+///          sign of the determinant all the same
 /// Exact for all finite coordinates. Antisymmetric under every swap of two of the four points.
 [[nodiscard]] inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   if (const FilteredSign s = incircle_filter(a, b, c, d); s.is_certain()) [[likely]]

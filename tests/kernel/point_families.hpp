@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "leonhard/kernel/point.hpp"
+
+/// Points chosen to hurt predicates, four at a time.
+namespace leonhard::testing {
+
+using Random = std::mt19937_64;
+using Quadruple = std::array<Point2, 4>;
+
+struct PointFamily {
+  const char* name;
+  std::function<Quadruple(Random&)> draw;
+};
+
+inline double uniform(Random& random, double low = -1, double high = 1) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+inline int integer(Random& random, int low, int high) {
+  return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+/// Moves x by at most two units in the last place.
+inline double nudge(Random& random, double x) {
+  for (int steps = integer(random, -2, 2); steps != 0; steps += steps < 0 ? 1 : -1)
+    x = std::nextafter(x, steps < 0 ? -INFINITY : INFINITY);
+  return x;
+}
+
+template <class Draw>
+Quadruple each_coordinate(Draw draw) {
+  Quadruple points;
+  for (Point2& p : points) p = {draw(), draw()};
+  return points;
+}
+
+inline Quadruple nearly_collinear(Random& random) {
+  const Point2 start{uniform(random), uniform(random)};
+  const Vec2 direction{uniform(random), uniform(random)};
+  Quadruple points;
+  for (Point2& p : points) {
+    const Point2 on_line = start + uniform(random) * direction;
+    p = {nudge(random, on_line.x), nudge(random, on_line.y)};
+  }
+  return points;
+}
+
+inline Quadruple nearly_cocircular(Random& random) {
+  const Point2 centre{uniform(random), uniform(random)};
+  const double radius = std::exp2(integer(random, -20, 2));
+  Quadruple points;
+  for (Point2& p : points) {
+    const double angle_rad = uniform(random, 0, 6.3);
+    p = {nudge(random, centre.x + radius * std::cos(angle_rad)),
+         nudge(random, centre.y + radius * std::sin(angle_rad))};
+  }
+  return points;
+}
+
+/// The corners of a rectangle, cocircular to the last bit, or one of them a step away; at times far off the origin.
+inline Quadruple nearly_rectangular(Random& random) {
+  const double left = uniform(random), bottom = uniform(random);
+  const double right = left + std::exp2(integer(random, -40, 2)),
+               top = bottom + std::exp2(integer(random, -40, 2));
+  Quadruple points{{{left, bottom}, {right, bottom}, {right, top}, {left, top}}};
+  if (integer(random, 0, 1) == 1) points[3].x = nudge(random, points[3].x);
+  return points;
+}
+
+inline double any_exponent(Random& random, int low, int high) {
+  return std::ldexp(uniform(random), integer(random, low, high));
+}
+
+inline std::vector<PointFamily> point_families() {
+  return {
+      {"uniform", [](Random& r) { return each_coordinate([&r] { return uniform(r); }); }},
+      {"integer grid", [](Random& r) { return each_coordinate([&r] { return double(integer(r, -3, 3)); }); }},
+      {"tenths", [](Random& r) { return each_coordinate([&r] { return 0.1 * integer(r, -3, 3); }); }},
+      {"nearly collinear", nearly_collinear},
+      {"nearly cocircular", nearly_cocircular},
+      {"nearly rectangular", nearly_rectangular},
+      {"subnormal",
+       [](Random& r) { return each_coordinate([&r] { return 0x1p-1074 * integer(r, -5, 5); }); }},
+      {"subnormal and tiny",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -1080, -1000); }); }},
+      {"huge", [](Random& r) { return each_coordinate([&r] { return uniform(r) * 1.79e308; }); }},
+      {"huge grid", [](Random& r) { return each_coordinate([&r] { return 1e300 * integer(r, -3, 3); }); }},
+      {"products near underflow",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -545, -480); }); }},
+      {"squares near underflow",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -275, -240); }); }},
+      {"products near overflow",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, 495, 515); }); }},
+      {"squares near overflow",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, 240, 260); }); }},
+      {"some exponents",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -100, 100); }); }},
+      {"all exponents",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -1074, 1024); }); }},
+  };
+}
+
+/// The points as C++ source, to be pasted into a regression test.
+inline std::string as_source(const Quadruple& points) {
+  std::string source;
+  for (const Point2 p : points) {
+    char text[80];
+    std::snprintf(text, sizeof text, "{%a, %a}, ", p.x, p.y);
+    source += text;
+  }
+  return source;
+}
+
+}  // namespace leonhard::testing
