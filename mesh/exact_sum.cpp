@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/mesh/exact_sum.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace leonhard::mesh {
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+/// |x| = mantissa 2^exponent.
+struct Parts {
+  std::uint64_t mantissa;
+  int exponent;
+};
+
+Parts parts_of(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int field = static_cast<int>((bits >> 52) & 0x7ff);
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  if (field == 0) return {fraction, -1074};
+  return {fraction | (std::uint64_t{1} << 52), field - 1075};
+}
+
+constexpr std::uint32_t additions_before_carry = std::uint32_t{1} << 30;
+
+}  // namespace
+
+void ExactSum::add_product(double a, double b) {
+  assert(std::isfinite(a) && std::isfinite(b));
+  const Parts p = parts_of(a), q = parts_of(b);
+  const Wide product = static_cast<Wide>(p.mantissa) * q.mantissa;
+  const auto shift = static_cast<unsigned>(p.exponent + q.exponent - lowest_exponent);
+  const bool negative = std::signbit(a) != std::signbit(b);
+
+  // The product, 106 bits, moved up by less than a digit: 137 bits, five digits.
+  const unsigned up = shift % 32;
+  const Wide low = product << up;
+  const std::uint64_t high = static_cast<std::uint64_t>(product >> 96) >> (32 - up);
+  std::int64_t* digit = digits_.data() + shift / 32;
+  for (int i = 0; i < 4; ++i) {
+    const auto part = static_cast<std::int64_t>(static_cast<std::uint32_t>(low >> (32 * i)));
+    digit[i] += negative ? -part : part;
+  }
+  digit[4] += negative ? -static_cast<std::int64_t>(high) : static_cast<std::int64_t>(high);
+
+  if (++additions_ == additions_before_carry) {
+    digits_ = carried(digits_);
+    additions_ = 1;
+  }
+}
+
+ExactSum::Digits ExactSum::carried(Digits digits) {
+  for (std::size_t i = 0; i + 1 < digit_count; ++i) {
+    const std::int64_t carry = digits[i] >> 32;  // rounds down, so the rest is in [0, 2^32)
+    digits[i] -= carry * (std::int64_t{1} << 32);
+    digits[i + 1] += carry;
+  }
+  return digits;
+}
+
+Sign ExactSum::sign() const {
+  const Digits digits = carried(digits_);
+  if (digits.back() < 0) return Sign::negative;
+  return std::any_of(digits.begin(), digits.end(), [](std::int64_t d) { return d != 0; }) ? Sign::positive
+                                                                                          : Sign::zero;
+}
+
+mpq_class ExactSum::value() const {
+  const bool negative = sign() == Sign::negative;
+  Digits digits = digits_;
+  if (negative) std::transform(digits.begin(), digits.end(), digits.begin(), std::negate<>());
+  digits = carried(digits);
+
+  mpz_class magnitude;
+  std::vector<std::uint32_t> low(digits.begin(), digits.end() - 1);
+  mpz_import(magnitude.get_mpz_t(), low.size(), -1, sizeof(std::uint32_t), 0, 0, low.data());
+  mpz_class top = static_cast<long>(digits.back());
+  top <<= 32 * (digit_count - 1);
+  magnitude += top;
+
+  mpq_class value(negative ? mpz_class(-magnitude) : magnitude);
+  value >>= static_cast<mp_bitcnt_t>(-lowest_exponent);
+  return value;
+}
+
+}  // namespace leonhard::mesh
