@@ -37,6 +37,16 @@ std::string cell_words(const CellSoup& soup, std::size_t index) {
   throw InputError(where(soup, soup.cells[index]), cell_words(soup, index) + " " + what, std::move(remedy));
 }
 
+/// The predicates that follow know finite numbers only.
+void check_finite(const CellSoup& soup) {
+  for (const VertexId v : soup.points.ids())
+    if (!is_finite(soup.points[v]))
+      throw InputError(soup.source,
+                       "vertex " + std::to_string(v.index()) + " is at " + mesh::words(soup.points[v]) +
+                           ", which is not finite",
+                       "NaN and infinities are bad input; find out what wrote them");
+}
+
 void check_ids(const CellSoup& soup) {
   for (std::size_t c = 0; c < soup.cells.size(); ++c) {
     const Cell& cell = soup.cells[c];
@@ -214,6 +224,7 @@ TriangleMesh checked_mesh(CellSoup& soup, SplitCells&& cells) {
 MeshFile assemble(CellSoup soup, EdgeRule rule) {
   if (soup.points.empty()) throw InputError(soup.source, "the file holds no points");
   if (soup.cells.empty()) throw InputError(soup.source, "the file holds no triangles or quadrilaterals");
+  check_finite(soup);
   check_ids(soup);
   MeshFile result;
   orient_cells(soup, result.warnings);

@@ -33,7 +33,7 @@ namespace io {
 /// header), OutputError if the file cannot be written
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
-/// ".su2, .vtu, .node, .ele": what read_mesh and write_mesh know.
+/// ".su2", ".vtu", ".node", ".ele", ".poly": what read_mesh and write_mesh know.
 [[nodiscard]] const std::vector<std::string>& mesh_extensions();
 
 }  // namespace io

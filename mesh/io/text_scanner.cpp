@@ -82,12 +82,12 @@ std::string in_quotes(std::string_view word) {
 }
 
 TextScanner::TextScanner(std::string_view text, std::string source, TextSyntax syntax)
-    : text_(text), source_(std::move(source)), syntax_(syntax) {
+    : text_(text), source_(std::move(source)), syntax_(syntax), line_(syntax.lines_before) {
   if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
   const std::size_t zero = text_.find('\0');
   if (zero != std::string_view::npos) {
     const auto lines = std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-    throw InputError(at_line(source_, static_cast<std::size_t>(lines) + 1),
+    throw InputError(at_line(source_, line_ + static_cast<std::size_t>(lines) + 1),
                      "found a zero byte where text was expected: this is a binary (or UTF-16) file",
                      "save it as plain text");
   }

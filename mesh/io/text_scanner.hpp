@@ -15,8 +15,9 @@ namespace leonhard::io {
 
 /// How a text format separates its words.
 struct TextSyntax {
-  char comment = '\0';      ///< the rest of the line after it is skipped; '\0': no comments
-  char extra_blank = '\0';  ///< counts as a blank besides space, tab and carriage return
+  char comment = '\0';           ///< the rest of the line after it is skipped; '\0': no comments
+  char extra_blank = '\0';       ///< counts as a blank besides space, tab and carriage return
+  std::size_t lines_before = 0;  ///< of the file before the text, where that is only a part of it
 };
 
 /// Walks over the lines and words of a text in memory; every reader of text stands on it.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/mesh/io/mesh_file.hpp"
+
+#include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/su2.hpp"
+#include "leonhard/mesh/io/triangle_files.hpp"
+#include "leonhard/mesh/io/vtu.hpp"
+
+namespace leonhard::io {
+
+const std::vector<std::string>& mesh_extensions() {
+  static const std::vector<std::string> known{".su2", ".vtu", ".node", ".ele", ".poly"};
+  return known;
+}
+
+MeshFile read_mesh(const std::filesystem::path& path) {
+  const std::string extension = known_extension(path, mesh_extensions(), "mesh");
+  if (extension == ".su2") return read_su2(path);
+  if (extension == ".vtu") return read_vtu(path);
+  return read_triangle_files(path);
+}
+
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  const std::string extension = known_extension(path, mesh_extensions(), "mesh");
+  if (extension == ".su2") return write_su2(path, mesh);
+  if (extension == ".vtu") return write_vtu(path, mesh);
+  return write_triangle_files(path, mesh);
+}
+
+}  // namespace leonhard::io
