@@ -17,7 +17,7 @@
 /// staying vectors. Same arguments, same file, byte for byte.
 ///
 /// All throw, before the file is touched: InputError for another extension, a picture size or view out of range,
-/// a mesh without triangles, values that do not fit the mesh; and io::OutputError, naming the path, if the file
+/// a mesh without triangles, values that do not fit the mesh; and OutputError, naming the path, if the file
 /// cannot be written. No half-written file is left. Cost O(triangles in view + pixels).
 namespace leonhard::draw {
 

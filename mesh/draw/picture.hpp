@@ -12,8 +12,8 @@ namespace leonhard::draw {
 ///
 /// PNG has width x height pixels; SVG is that many CSS pixels; PDF takes 200 pixels to the inch (1600 px: 8 inches).
 struct PictureSize {
-  int width = 1600;   ///< pixels, 64 to 16384
-  int height = 1000;  ///< pixels, 64 to 16384
+  int width = 1600;   ///< pixels, 64 to 8192
+  int height = 1000;  ///< pixels, 64 to 8192
   double scale = 1;   ///< further factor on text and line widths, 0.2 to 5
 };
 

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/draw/contours.hpp"
+#include "leonhard/mesh/draw/index_raster.hpp"
+#include "leonhard/mesh/draw/levels.hpp"
+#include "leonhard/mesh/draw/line_writer.hpp"
+#include "leonhard/mesh/draw/mesh_picture.hpp"
+#include "leonhard/mesh/draw/scene.hpp"
+#include "leonhard/mesh/words.hpp"
+
+namespace leonhard::draw {
+namespace {
+
+void check_field(const TriangleMesh& mesh, std::span<const double> values, const FieldOptions& options) {
+  check_mesh(mesh);
+  if (values.size() != mesh.vertex_count()) {
+    throw InputError(
+        "field '" + options.value_label + "'",
+        std::to_string(values.size()) + " values for " + std::to_string(mesh.vertex_count()) + " vertices",
+        "give one value a vertex");
+  }
+  for (const VertexId v : mesh.points.ids()) {
+    if (!std::isfinite(values[v.index()])) {
+      throw InputError("field '" + options.value_label + "'",
+                       "the value at " + mesh::words(mesh, v) + " is " + mesh::words(values[v.index()]),
+                       "give finite values");
+    }
+  }
+  if (options.value_range &&
+      !(std::isfinite(options.value_range->low) && std::isfinite(options.value_range->high) &&
+        options.value_range->low < options.value_range->high)) {
+    throw InputError("value range",
+                     "from " + mesh::words(options.value_range->low) + " to " +
+                         mesh::words(options.value_range->high) + " is no range",
+                     "give finite bounds, the lower one first");
+  }
+  if (options.bands < 1 || options.bands > 200) {
+    throw InputError("bands", std::to_string(options.bands) + " is out of range", "give 1 to 200");
+  }
+  if (options.levels.size() > 1000) throw InputError("levels", "there are more than 1000", "give fewer");
+  for (std::size_t i = 0; i < options.levels.size(); ++i) {
+    if (!std::isfinite(options.levels[i]) || (i > 0 && !(options.levels[i - 1] < options.levels[i]))) {
+      throw InputError("levels", "level " + std::to_string(i) + " is " + mesh::words(options.levels[i]),
+                       "give finite levels, each above the last");
+    }
+  }
+}
+
+std::array<double, 3> values_at(const MeshScene& scene, std::span<const double> values, TriangleId t) {
+  const auto& [a, b, c] = scene.mesh().corners[t];
+  return {values[a.index()], values[b.index()], values[c.index()]};
+}
+
+// The values that can be seen: of triangles that touch the frame.
+Range seen(const MeshScene& scene, std::span<const double> values) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const TriangleId t : scene.visible()) {
+    const auto [low, high] = std::ranges::minmax(values_at(scene, values, t));
+    range = {std::min(range.low, low), std::max(range.high, high)};
+  }
+  return range.low <= range.high ? range : Range{0, 0};
+}
+
+void fill_bands_as_image(Canvas& canvas, const MeshScene& scene, std::span<const double> values,
+                         const Bands& bands) {
+  const Rect& area = scene.frame().area;
+  IndexRaster raster(area, canvas.dots_per_pixel());
+  for (const TriangleId t : scene.visible())
+    raster.fill(scene.corners(t), values_at(scene, values, t), bands.levels);
+  canvas.image(area, raster.resolve(bands.colours));
+}
+
+// One path a band. Its thin outline in its own colour closes the hair's breadth that viewers leave between areas.
+void fill_bands_as_paths(Canvas& canvas, const MeshScene& scene, std::span<const double> values,
+                         const Bands& bands) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<std::vector<std::vector<Point2>>> pieces(bands.colours.size());
+  for (const TriangleId t : scene.visible()) {
+    const auto u = values_at(scene, values, t);
+    const auto [least, most] = std::ranges::minmax(u);
+    for (std::size_t i = bands.index_of(least); i <= bands.index_of(most); ++i) {
+      const double low = i == 0 ? -infinity : bands.levels[i - 1];
+      const double high = i == bands.levels.size() ? infinity : bands.levels[i];
+      const bool whole = least >= low && most <= high;
+      const auto corners = scene.corners(t);
+      pieces[i].push_back(cut_polygon(
+          whole ? std::vector<Point2>(corners.begin(), corners.end()) : band_of(corners, u, low, high),
+          scene.safe()));
+    }
+  }
+  canvas.begin_clip(scene.frame().area);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (const auto& polygon : pieces[i]) add_polygon(canvas, polygon);
+    canvas.fill_and_keep(bands.colours[i]);
+    canvas.stroke({bands.colours[i], 0.4});
+  }
+  canvas.end_clip();
+}
+
+void stroke_contours(Canvas& canvas, const MeshScene& scene, std::span<const double> values,
+                     const Bands& bands) {
+  canvas.begin_clip(scene.frame().area);
+  LineWriter writer(canvas, scene.safe());
+  for (std::size_t i = 0; i < bands.levels.size(); ++i) {
+    const Pen pen{{0.08, 0.08, 0.12},
+                  bands.is_major[i] ? 0.95 : 0.55,
+                  LineStyle::solid,
+                  bands.is_major[i] ? 0.75 : 0.6};
+    for (const auto& line : contour(scene, values, bands.levels[i])) {
+      for (std::size_t k = 1; k < line.size(); ++k) writer.segment(line[k - 1], line[k]);
+      canvas.stroke(pen);
+      writer.restart();
+    }
+  }
+  canvas.end_clip();
+}
+
+}  // namespace
+
+void draw_field(const std::filesystem::path& path, const TriangleMesh& mesh,
+                std::span<const double> vertex_values, const FieldOptions& options) {
+  check_field(mesh, vertex_values, options);
+  const Box region = region_of(mesh, options.view);
+  Canvas canvas(path, options.size);
+  const AxesText text{options.title, options.x_label, options.y_label};
+
+  // The bar's width depends on its labels, these on the values in view, that on the frame beside the bar.
+  Rect outer{0, 0, canvas.width(), canvas.height()};
+  PlotFrame frame = fit_map(canvas, outer, region, text);
+  Bands bands = make_bands(seen(MeshScene(mesh, frame), vertex_values), options);
+  const double room = colour_bar_room(canvas, bands, options.value_label);
+  outer.width -= room - canvas.text_size();
+  frame = fit_map(canvas, outer, region, text);
+  const MeshScene scene(mesh, frame);
+  bands = make_bands(seen(scene, vertex_values), options);
+
+  fill_bodies(canvas, scene);
+  if (canvas.is_vector() && !scene.is_large()) {
+    fill_bands_as_paths(canvas, scene, vertex_values, bands);
+  } else {
+    fill_bands_as_image(canvas, scene, vertex_values, bands);
+  }
+  if (options.show_mesh) stroke_edges(canvas, scene, {0.2, 0.2, 0.25}, 0.5);
+  if (options.contour_lines) stroke_contours(canvas, scene, vertex_values, bands);
+  stroke_boundary(canvas, scene, 1.8, [](Marker) { return ink; });
+  draw_axes(canvas, frame, text);
+  draw_colour_bar(canvas,
+                  {frame.area.right() + 0.5 * canvas.text_size(), frame.area.top, room, frame.area.height},
+                  bands, options.value_label);
+  canvas.save();
+}
+
+}  // namespace leonhard::draw
