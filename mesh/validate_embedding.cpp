@@ -154,7 +154,8 @@ std::optional<std::string> BoundarySweep::start_segments(Status& status, Status:
   for (std::size_t i = 0; i < starting.size(); ++i) {
     const SegmentIndex s = starting[i];
     if (i > 0 && turn(starting[i - 1], sites_[segments_[s].right]) == Sign::zero) {
-      return segment_words(starting[i - 1]) + " and " + segment_words(s) + " lie on one another";
+      return segment_words(starting[i - 1]) + " and " + segment_words(s) +
+             " lie on one another: a vertex of one is missing in the other, or triangles overlap";
     }
     cover += segments_[s].mesh_above ? 1 : -1;
     if (cover < 0 || cover > 1) {

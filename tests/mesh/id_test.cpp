@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/mesh/id.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+using namespace leonhard;
+
+TEST_CASE("ids_of_an_array_are_all_its_indices_in_order") {
+  const PerId<VertexId, double> values(std::vector<double>{3, 1, 2});
+  std::vector<std::size_t> seen;
+  for (const VertexId v : values.ids()) seen.push_back(v.index());
+  CHECK(seen == std::vector<std::size_t>{0, 1, 2});
+  CHECK(values.ids().size() == 3);
+  CHECK(PerId<VertexId, double>().ids().begin() == PerId<VertexId, double>().ids().end());
+}
+
+TEST_CASE("id_range_serves_standard_algorithms") {
+  const PerId<TriangleId, int> values(std::vector<int>{5, 7, 5});
+  const auto ids = values.ids();
+  CHECK(std::count_if(ids.begin(), ids.end(), [&](TriangleId t) { return values[t] == 5; }) == 2);
+  const std::vector<TriangleId> copy(ids.begin(), ids.end());
+  CHECK(copy.size() == 3);
+  CHECK(copy[2] == TriangleId{2});
+}
+
+TEST_CASE("maybe_id_is_none_until_given_an_id") {
+  MaybeId<EdgeId> edge;
+  CHECK_FALSE(edge);
+  CHECK(edge == MaybeId<EdgeId>());
+  edge = EdgeId{4};
+  CHECK(edge);
+  CHECK(*edge == EdgeId{4});
+  CHECK(edge != MaybeId<EdgeId>(EdgeId{5}));
+}
