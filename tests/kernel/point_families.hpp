@@ -96,6 +96,11 @@ inline std::vector<PointFamily> point_families() {
        [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -1080, -1000); }); }},
       {"huge", [](Random& r) { return each_coordinate([&r] { return uniform(r) * 1.79e308; }); }},
       {"huge grid", [](Random& r) { return each_coordinate([&r] { return 1e300 * integer(r, -3, 3); }); }},
+      // Terms of a few smallest numbers: 0.6 + 0.6 - 1.4 of them rounds to 1 + 1 - 1, the wrong sign.
+      {"products of a few smallest numbers",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -538, -536); }); }},
+      {"fourth powers of a few smallest numbers",
+       [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -270, -268); }); }},
       {"products near underflow",
        [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -545, -480); }); }},
       {"squares near underflow",
