@@ -95,40 +95,57 @@ Sign orientation(const PerId<VertexId, Point2>& points, const Cell& cell) {
   return split(points, {c[3], c[2], c[1], c[0]}) ? Sign::negative : Sign::zero;
 }
 
-/// Names the first clockwise cells among counter-clockwise ones, or the other way round if these are fewer.
-[[noreturn]] void refuse_mixture(const CellSoup& soup, std::size_t clockwise) {
-  const bool minority_is_clockwise = 2 * clockwise <= soup.cells.size();
-  const std::size_t count = minority_is_clockwise ? clockwise : soup.cells.size() - clockwise;
+/// Triangles or quadrilaterals of a file: programs that write both may turn each kind its own way.
+struct CellKind {
+  std::uint32_t corner_count;
+  const char* name;
+  std::size_t count = 0, clockwise = 0;
+};
+
+/// Names the first clockwise cells among counter-clockwise ones of a kind, or the other way round if these are fewer.
+[[noreturn]] void refuse_mixture(const CellSoup& soup, const CellKind& kind) {
+  const bool minority_is_clockwise = 2 * kind.clockwise <= kind.count;
+  const std::size_t count = minority_is_clockwise ? kind.clockwise : kind.count - kind.clockwise;
   const Sign odd = minority_is_clockwise ? Sign::negative : Sign::positive;
   constexpr std::size_t named_at_most = 3;
   std::string names;
   const Cell* first = nullptr;
-  for (std::size_t c = 0, named = 0; c < soup.cells.size() && named < named_at_most; ++c)
-    if (orientation(soup.points, soup.cells[c]) == odd) {
-      if (first == nullptr) first = &soup.cells[c];
-      names += (named++ == 0 ? "" : "; ") + cell_words(soup, c);
-    }
+  for (std::size_t c = 0, named = 0; c < soup.cells.size() && named < named_at_most; ++c) {
+    const Cell& cell = soup.cells[c];
+    if (cell.corner_count != kind.corner_count || orientation(soup.points, cell) != odd) continue;
+    if (first == nullptr) first = &cell;
+    names += (named++ == 0 ? "" : "; ") + cell_words(soup, c);
+  }
   throw InputError(where(soup, *first),
-                   std::to_string(count) + " of " + std::to_string(soup.cells.size()) + " cells are " +
+                   std::to_string(count) + " of " + std::to_string(kind.count) + " " + kind.name + " are " +
                        (minority_is_clockwise ? "clockwise (inverted)" : "counter-clockwise") +
                        " unlike the others: " + names + (count > named_at_most ? "; ..." : ""),
                    "a corner or a coordinate of these cells is wrong, or the mesh is tangled there");
 }
 
-/// All cells counter-clockwise, or an error.
+/// All cells counter-clockwise, or an error. Turning a whole kind over is safe, since cells that then overlap are
+/// found by validate_embedding.
 void orient_cells(CellSoup& soup, std::vector<std::string>& warnings) {
-  std::size_t clockwise = 0;
+  std::array<CellKind, 2> kinds{{{3, "triangles"}, {4, "quadrilaterals"}}};
   for (std::size_t c = 0; c < soup.cells.size(); ++c) {
-    const Sign sign = orientation(soup.points, soup.cells[c]);
+    const Cell& cell = soup.cells[c];
+    CellKind& kind = kinds[cell.corner_count - 3];
+    const Sign sign = orientation(soup.points, cell);
     if (sign == Sign::zero)
-      refuse(soup, c, soup.cells[c].corner_count == 3 ? "has zero area" : "has zero area or crosses itself",
+      refuse(soup, c, cell.corner_count == 3 ? "has zero area" : "has zero area or crosses itself",
              "correct its corners or their coordinates");
-    if (sign == Sign::negative) ++clockwise;
+    ++kind.count;
+    if (sign == Sign::negative) ++kind.clockwise;
   }
-  if (clockwise == 0) return;
-  if (clockwise < soup.cells.size()) refuse_mixture(soup, clockwise);
-  for (Cell& cell : soup.cells) std::reverse(cell.corners.begin(), cell.corners.begin() + cell.corner_count);
-  warnings.push_back("all " + std::to_string(clockwise) + " cells are clockwise; they were turned over");
+  for (const CellKind& kind : kinds) {
+    if (kind.clockwise == 0) continue;
+    if (kind.clockwise < kind.count) refuse_mixture(soup, kind);
+    for (Cell& cell : soup.cells)
+      if (cell.corner_count == kind.corner_count)
+        std::reverse(cell.corners.begin(), cell.corners.begin() + cell.corner_count);
+    warnings.push_back("all " + std::to_string(kind.count) + " " + kind.name +
+                       " are clockwise in the file; they were turned over");
+  }
 }
 
 struct SplitCells {

@@ -39,7 +39,7 @@ enum class EdgeRule {
 
 /// Make the mesh that a file states, or say why it is none.
 ///
-/// Cells that are all clockwise are turned over; quadrilaterals are split along their Delaunay diagonal (exact, ties
+/// Triangles that are all clockwise are turned over, and so are quadrilaterals; quadrilaterals are split along their Delaunay diagonal (exact, ties
 /// by kernel::incircle_perturbed), where that gives two positive triangles, else along the other. Under
 /// fill_in_the_boundary an unlisted boundary edge gets the marker its two ends share if it is not 0, else 1. The
 /// warnings tell each of these.

@@ -97,15 +97,25 @@ class Su2Parser {
     return VertexId::from(static_cast<std::size_t>(id));
   }
 
-  /// Entries may end with their number, which says nothing since entries are taken in their order.
-  void read_optional_number(const char* entry, std::size_t index) {
-    if (scan_.line_done()) return;
-    const std::int64_t number = scan_.integer("the entry's number");
+  /// The number at the end of an entry says nothing, since entries are taken in their order; but it should agree.
+  void compare_number(const char* entry, std::size_t index, std::int64_t number) {
     if (number == static_cast<std::int64_t>(index) || number_warned_) return;
     number_warned_ = true;
     warnings_.push_back(scan_.where() + ": " + entry + " " + std::to_string(index) +
                         " says that its number is " + std::to_string(number) +
                         "; entries are numbered in the file's order, from 0");
+  }
+
+  /// A point may end with its number, or with its numbers in a part and in the whole mesh (or a z of 0 and its number):
+  /// two numbers have no one meaning, so only one is looked at.
+  void read_point_numbers(std::size_t index) {
+    if (scan_.line_done()) return;
+    const std::int64_t number = scan_.integer("the point's number");
+    if (scan_.line_done()) {
+      compare_number("point", index, number);
+    } else {
+      scan_.integer("the point's number in the whole mesh");
+    }
   }
 
   void read_cells() {
@@ -124,7 +134,7 @@ class Su2Parser {
       cell.line = static_cast<std::uint32_t>(scan_.line());
       for (std::uint32_t i = 0; i < cell.corner_count; ++i)
         cell.corners[i] = read_vertex("a vertex of the cell");
-      read_optional_number("cell", c);
+      if (!scan_.line_done()) compare_number("cell", c, scan_.integer("the cell's number"));
       scan_.expect_line_end("the cell");
       soup_.cells.push_back(cell);
     }
@@ -139,8 +149,7 @@ class Su2Parser {
       need_entry("point", p, count);
       const double x = scan_.number("the x coordinate of a point");
       const double y = scan_.number("the y coordinate of a point");
-      read_optional_number("point", p);
-      if (!scan_.line_done()) scan_.integer("the point's number in the whole mesh");
+      read_point_numbers(p);
       scan_.expect_line_end("the point");
       soup_.points.push_back({x, y});
     }

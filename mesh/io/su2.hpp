@@ -15,7 +15,7 @@ namespace leonhard::io {
 ///
 /// Ids are the file's 0-based ones. Markers get the numbers 1, 2, ... in the file's order (or those that
 /// write_su2 noted in a leading comment). A quadrilateral is split along its Delaunay diagonal, so triangle
-/// ids then differ from cell numbers; a file whose cells are all clockwise is turned over; both are told in
+/// ids then differ from cell numbers; triangles that are all clockwise, and likewise quadrilaterals, are turned over; both are told in
 /// the warnings.
 ///
 /// throws InputError: 3-D file, unknown cell type, id out of range, zero-area, inverted or overlapping cells,

@@ -22,6 +22,7 @@ namespace leonhard::io {
 namespace {
 
 constexpr std::string_view zlib_name = "vtkZLibDataCompressor";
+constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max();  ///< where the file alone says
 constexpr std::string_view cut_short = "the file was cut short, or its sizes are wrong";
 
 [[noreturn]] void fail(const XmlElement& array, const VtkEncoding& encoding, const std::string& problem,
@@ -112,7 +113,7 @@ class ByteStream {
 #ifdef LEONHARD_HAS_ZLIB
 /// Blocks of one size, the last one possibly smaller, each compressed for itself.
 std::string take_compressed(ByteStream& stream, const XmlElement& array, const VtkEncoding& encoding,
-                            std::optional<std::uint64_t> expected_bytes) {
+                            std::uint64_t expected_bytes) {
   constexpr std::uint64_t best_ratio = 1040;  // of deflate, a little more than what is possible
   const std::uint64_t blocks = stream.take_size(), block_size = stream.take_size(),
                       partial = stream.take_size();
@@ -120,10 +121,10 @@ std::string take_compressed(ByteStream& stream, const XmlElement& array, const V
   if (block_size > std::numeric_limits<std::uint64_t>::max() / blocks || (partial > block_size))
     fail(array, encoding, "has block sizes that contradict each other");
   const std::uint64_t total = (blocks - 1) * block_size + (partial == 0 ? block_size : partial);
-  if (expected_bytes && total != *expected_bytes)
-    fail(array, encoding,
-         "holds " + std::to_string(total) + " bytes, but " + std::to_string(*expected_bytes) +
-             " are expected");
+  if (expected_bytes != any_size && total != expected_bytes)
+    fail(
+        array, encoding,
+        "holds " + std::to_string(total) + " bytes, but " + std::to_string(expected_bytes) + " are expected");
   std::vector<std::uint64_t> sizes;
   std::uint64_t compressed = 0;
   for (std::uint64_t b = 0; b < blocks; ++b) {  // a block count too large runs out of bytes here
@@ -149,12 +150,12 @@ std::string take_compressed(ByteStream& stream, const XmlElement& array, const V
 #endif
 
 std::string take_plain(ByteStream& stream, const XmlElement& array, const VtkEncoding& encoding,
-                       std::optional<std::uint64_t> expected_bytes) {
+                       std::uint64_t expected_bytes) {
   const std::uint64_t total = stream.take_size();
-  if (expected_bytes && total != *expected_bytes)
-    fail(array, encoding,
-         "holds " + std::to_string(total) + " bytes, but " + std::to_string(*expected_bytes) +
-             " are expected");
+  if (expected_bytes != any_size && total != expected_bytes)
+    fail(
+        array, encoding,
+        "holds " + std::to_string(total) + " bytes, but " + std::to_string(expected_bytes) + " are expected");
   return stream.take(total);
 }
 
@@ -171,8 +172,7 @@ std::size_t appended_offset(const XmlElement& array, const VtkEncoding& encoding
 }
 
 /// The bytes of a binary or appended array, unpacked.
-std::string array_bytes(const XmlElement& array, const VtkEncoding& encoding,
-                        std::optional<std::uint64_t> expected_bytes) {
+std::string array_bytes(const XmlElement& array, const VtkEncoding& encoding, std::uint64_t expected_bytes) {
   const bool appended = array.attribute("format") == "appended";
   if (appended && !array.attributes.contains("offset"))
     fail(array, encoding, "is appended but has no offset");
@@ -259,8 +259,7 @@ std::vector<Wanted> read_numbers(const XmlElement& array, const VtkEncoding& enc
     fail(array, encoding, "has the unknown format " + in_quotes(format));
   if (count && *count > std::numeric_limits<std::size_t>::max() / type.size)
     fail(array, encoding, "is too large");
-  const auto expected = count ? std::optional<std::uint64_t>(*count * type.size) : std::nullopt;
-  const std::string bytes = array_bytes(array, encoding, expected);
+  const std::string bytes = array_bytes(array, encoding, count ? *count * type.size : any_size);
   std::vector<Wanted> numbers;
   numbers.reserve(bytes.size() / type.size);
   type.convert(bytes, encoding.swapped, numbers);
