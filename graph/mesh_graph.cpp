@@ -12,6 +12,7 @@ namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
 
+constexpr std::uint32_t not_chosen = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t max_edges = std::numeric_limits<std::uint32_t>::max() / 2;
 
 /// A mesh's count as a graph's number of vertices.
@@ -144,25 +145,33 @@ Components components(const CsrGraph& graph) {
   return result;
 }
 
-CsrGraph induced_subgraph(const CsrGraph& graph, std::span<const std::uint32_t> vertices) {
-  constexpr std::uint32_t outside = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> new_of_old(vertex_count(graph), outside);
+SubgraphExtractor::SubgraphExtractor(const CsrGraph& graph)
+    : graph_(&graph), new_of_old_(vertex_count(graph), not_chosen) {}
+
+void SubgraphExtractor::number(std::span<const std::uint32_t> vertices) {
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     const std::uint32_t v = vertices[i];
-    if (v >= new_of_old.size() || new_of_old[v] != outside)
-      throw InputError(
-          "vertices",
-          "vertex " + std::to_string(v) + (v >= new_of_old.size() ? " does not exist" : " is named twice"),
-          "name distinct vertices below " + std::to_string(new_of_old.size()));
-    new_of_old[v] = i;
+    const bool exists = v < new_of_old_.size();
+    if (!exists || new_of_old_[v] != not_chosen) {
+      for (const std::uint32_t done : vertices.first(i)) new_of_old_[done] = not_chosen;
+      throw InputError("vertices",
+                       "vertex " + std::to_string(v) + (exists ? " is named twice" : " does not exist"),
+                       "name distinct vertices below " + std::to_string(new_of_old_.size()));
+    }
+    new_of_old_[v] = i;
   }
+}
+
+CsrGraph SubgraphExtractor::operator()(std::span<const std::uint32_t> vertices) {
+  number(vertices);
   Arcs arcs;
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     const std::size_t row = arcs.size();
-    for (const std::uint32_t w : neighbours(graph, vertices[i]))
-      if (new_of_old[w] != outside) arcs.emplace_back(i, new_of_old[w]);
+    for (const std::uint32_t w : neighbours(*graph_, vertices[i]))
+      if (new_of_old_[w] != not_chosen) arcs.emplace_back(i, new_of_old_[w]);
     std::sort(arcs.begin() + static_cast<std::ptrdiff_t>(row), arcs.end());
   }
+  for (const std::uint32_t v : vertices) new_of_old_[v] = not_chosen;
   return graph_of_sorted_arcs(arcs, vertices.size());
 }
 

@@ -79,12 +79,26 @@ struct Components {
 /// Cost O(n + m).
 [[nodiscard]] Components components(const CsrGraph& graph);
 
-/// The subgraph on some vertices: vertex i of the result is vertices[i].
-///
-/// vertices  distinct vertices of the graph in any order
-/// throws    InputError on a vertex out of range or repeated
-/// Cost O(n) scratch, then the sum of the chosen degrees.
-[[nodiscard]] CsrGraph induced_subgraph(const CsrGraph& graph, std::span<const std::uint32_t> vertices);
+/// Cuts subgraphs out of one graph. Keeps scratch space of one number a vertex, so that many small subgraphs cost no
+/// more than their own size; one thread at a time.
+class SubgraphExtractor {
+ public:
+  /// graph  must outlive the extractor
+  explicit SubgraphExtractor(const CsrGraph& graph);
+
+  /// The subgraph on some vertices: vertex i of the result is vertices[i].
+  ///
+  /// vertices  distinct vertices of the graph in any order
+  /// throws    InputError on a vertex out of range or repeated
+  /// Cost O(sum of the chosen degrees, times log of the largest).
+  [[nodiscard]] CsrGraph operator()(std::span<const std::uint32_t> vertices);
+
+ private:
+  void number(std::span<const std::uint32_t> vertices);
+
+  const CsrGraph* graph_;
+  std::vector<std::uint32_t> new_of_old_;  ///< per vertex its number in the subgraph being cut, or none
+};
 
 /// The first broken promise of CsrGraph in words (range, order of a row, self-loop, missing reverse edge), or
 /// none. Cost O(n + m log d).
