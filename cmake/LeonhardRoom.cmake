@@ -27,6 +27,9 @@ function(leonhard_flags target)
     target_compile_options(${target} PRIVATE -fsanitize=${LEONHARD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=${LEONHARD_SANITIZE})
   endif()
+  if(LEONHARD_FUZZ)  # libFuzzer sees which branches of the libraries an input takes
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
 endfunction()
 
 # leonhard_room(NAME SOURCES ...): the library target leonhard_NAME with its alias leonhard::NAME.

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+
+#include "leonhard/kernel/point.hpp"
+
+/// What fuzz targets share: bytes read as numbers, and findings printed as C++ to be moved into a test.
+namespace leonhard::fuzzing {
+
+/// Reads an input from its front; past the end it reads zeros.
+class Input {
+ public:
+  Input(const std::uint8_t* data, std::size_t size) : bytes_(data, size) {}
+
+  [[nodiscard]] bool empty() const { return bytes_.empty(); }
+  [[nodiscard]] std::size_t remaining() const { return bytes_.size(); }
+
+  template <class T>
+  [[nodiscard]] T take() {
+    T value{};
+    const std::size_t count = std::min(sizeof(T), bytes_.size());
+    std::memcpy(&value, bytes_.data(), count);
+    bytes_ = bytes_.subspan(count);
+    return value;
+  }
+
+  /// Any finite double; NaN and infinities lose an exponent bit.
+  [[nodiscard]] double finite() {
+    const auto bits = take<std::uint64_t>();
+    const double value = std::bit_cast<double>(bits);
+    return std::isfinite(value) ? value : std::bit_cast<double>(bits & ~(std::uint64_t{1} << 62));
+  }
+
+  /// A small integer of one byte: makes repeated, collinear and cocircular points likely.
+  [[nodiscard]] double small() { return take<std::int8_t>(); }
+
+  /// A point of either kind of coordinates.
+  [[nodiscard]] Point2 point(bool small_integers) {
+    const double x = small_integers ? small() : finite();
+    return {x, small_integers ? small() : finite()};
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+};
+
+/// Ends the program, so that libFuzzer keeps the input, after printing the points as C++ source.
+[[noreturn]] inline void report(const char* broken, std::span<const Point2> points) {
+  std::fprintf(stderr, "\n%s\n  const std::vector<Point2> points{", broken);
+  for (const Point2 p : points) std::fprintf(stderr, "{%a, %a}, ", p.x, p.y);
+  std::fprintf(stderr, "};\n");
+  std::abort();
+}
+
+}  // namespace leonhard::fuzzing
