@@ -37,7 +37,7 @@ class LineWriter {
   void segment(Point2 a, Point2 b) {
     const auto inside = clip_segment(a, b, safe_);
     if (!inside) return;
-    if (!last_ || *last_ != inside->first) canvas_.move_to(inside->first);
+    if (count_ == 0 || last_ != inside->first) canvas_.move_to(inside->first);
     canvas_.line_to(inside->second);
     last_ = inside->second;
     ++count_;
@@ -45,15 +45,12 @@ class LineWriter {
   /// Segments added since the last restart.
   [[nodiscard]] std::size_t count() const { return count_; }
   /// To be called after the canvas' path was used up.
-  void restart() {
-    last_.reset();
-    count_ = 0;
-  }
+  void restart() { count_ = 0; }
 
  private:
   Canvas& canvas_;
   Rect safe_;
-  std::optional<Point2> last_;
+  Point2 last_;  ///< where the path ends, if count_ > 0
   std::size_t count_ = 0;
 };
 
