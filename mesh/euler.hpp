@@ -22,7 +22,7 @@ namespace leonhard {
 struct EulerAccount {
   struct Formula {
     std::string name;   ///< "(1.1.4)", the notes' number, or a short name
-    std::string words;  ///< one sentence that reads with the numbers put in
+    std::string words;  ///< the formula as a sentence
     std::int64_t lhs{}, rhs{};
     [[nodiscard]] bool holds() const { return lhs == rhs; }
   };

@@ -79,7 +79,6 @@ Fingerprint fingerprint(const TriangleMesh& mesh) {
     hash.take(cell.hi);
     hash.take(cell.lo);
   }
-  hash.take(cells.size());
   return hash.value();
 }
 

@@ -19,7 +19,7 @@ struct Fingerprint {
 namespace mesh {
 
 /// The mesh's fingerprint: each triangle is hashed from the sorted bit patterns of its corners' coordinates
-/// (-0 taken as 0), the hashes are sorted and hashed in that order, then the count. So the numbering of
+/// (-0 taken as 0), the hashes are sorted and hashed in that order. So the numbering of
 /// vertices and triangles and the corner a triangle starts with do not enter; neither do markers, names and
 /// neighbours. Not a defence against someone who constructs collisions. Cost O(triangles log triangles).
 [[nodiscard]] Fingerprint fingerprint(const TriangleMesh& mesh);

@@ -31,6 +31,7 @@ ScaledSides scaled_sides(const std::array<Point2, 3>& p) {
   });
   ScaledSides s{};
   s.scale = 0;
+  s.unit = large ? 4 : 1;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point2 from = p[(i + 1) % 3], to = p[(i + 2) % 3];
     s.side[i] = large ? quarter(to) - quarter(from) : to - from;
@@ -39,7 +40,6 @@ ScaledSides scaled_sides(const std::array<Point2, 3>& p) {
   if (s.scale > 0) {
     for (Vec2& v : s.side) v = {v.x / s.scale, v.y / s.scale};
   }
-  if (large) s.scale *= 4;
   return s;
 }
 
@@ -60,7 +60,7 @@ TriangleQuality figures_of(const ScaledSides& s, const Angles& angles) {
   TriangleQuality q;
   q.min_angle_deg = *std::min_element(angles.at.begin(), angles.at.end());
   q.max_angle_deg = *std::max_element(angles.at.begin(), angles.at.end());
-  q.area = half_cross * s.scale * s.scale;
+  q.area = half_cross * s.scale * s.unit * s.scale * s.unit;
   q.aspect_ratio = circumradius / (2 * inradius);
   q.radius_edge_ratio = circumradius / std::min({a, b, c});
   return q;

@@ -49,6 +49,11 @@ TEST_CASE("angles_and_ratios_do_not_depend_on_scale_up_to_the_ends_of_the_double
   }
 }
 
+TEST_CASE("area_is_right_where_it_is_a_double_though_a_side_is_none") {
+  CHECK(mesh::triangle_quality({-1.6e308, 0}, {1.6e308, 0}, {0, 0.01}).area == Approx(1.6e306).epsilon(1e-9));
+  CHECK(mesh::triangle_quality({0, 0}, {1e-160, 0}, {0, 1e-160}).area == Approx(5e-321).epsilon(1e-3));
+}
+
 TEST_CASE("quality_of_a_grid_is_that_of_its_one_triangle") {
   const auto q = mesh::quality(shelf::grid(5, 3));
   CHECK(q.min_angle_deg == Approx(45));
