@@ -59,7 +59,9 @@ TEST_CASE("coordinate_bisection_cuts_the_longer_side_and_counts_from_the_left") 
 }
 
 TEST_CASE("coordinate_bisection_does_not_depend_on_the_sequence_of_distinct_points") {
-  const std::vector<Point2> points = centroids(random_triangulation(9, 8, 6));
+  std::vector<Point2> points = centroids(random_triangulation(9, 8, 6));
+  for (int i = 0; i < 9; ++i)  // and many with one coordinate in common
+    for (int j = 0; j < 9; ++j) points.push_back({i + 0.0, j + 0.0});
   const Partition plain = recursive_coordinate_bisection(points, 6);
   const auto order = random_order(static_cast<std::uint32_t>(points.size()), 6);
   std::vector<Point2> shuffled;
@@ -74,9 +76,9 @@ TEST_CASE("coordinate_bisection_breaks_ties_of_coincident_points_by_index") {
   for (std::size_t i = 0; i < 10; ++i) CHECK(halves.part_of[i] == i / 5);
 }
 
-TEST_CASE("coordinate_bisection_survives_the_largest_finite_box") {
-  const double huge = std::numeric_limits<double>::max();
-  const std::vector<Point2> points{{-huge, 0}, {huge, 0}, {0, 1}, {0, -1}};
+TEST_CASE("coordinate_bisection_finds_the_longer_side_of_the_largest_finite_box") {
+  const double huge = std::numeric_limits<double>::max();  // both sides overflow
+  const std::vector<Point2> points{{0.6 * huge, -huge}, {-0.6 * huge, huge}, {0.1, 1}, {0.2, -1}};
   CHECK(recursive_coordinate_bisection(points, 2).part_of == std::vector<std::uint32_t>{0, 1, 1, 0});
 }
 
