@@ -16,11 +16,11 @@ struct Angles {
   std::array<double, 3> at;
 };
 
-/// A triangle's sides as vectors, side[i] from corner i + 1 to corner i + 2, divided by `scale` so that the largest
-/// component is 1.
+/// A triangle's sides as vectors, side[i] from corner i + 1 to corner i + 2, divided by scale * unit so that the
+/// largest component is 1. Two factors, because a side may be longer than the largest double.
 struct ScaledSides {
   std::array<Vec2, 3> side;
-  double scale;
+  double scale, unit;
 };
 
 ScaledSides scaled_sides(const std::array<Point2, 3>& p) {
