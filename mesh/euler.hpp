@@ -51,12 +51,16 @@ namespace mesh {
 ///
 /// edges   of this mesh, from build_edges. mesh.neighbours is not read.
 /// Formulas, with n(v) = fans, C = components, H = holes, L = boundary_loops:
-///   n(f) + H + 1 = n(e) - n(v) + 1 + C    Euler's formula (1.1.0), the infinite face and the holes counted
-///   as faces n(f) + n(v)  = n(e) + C - H           (1.1.1), chi = C - H 2 n(e)_interior + n(e)_bound = 3
-///   n(f) (1.1.2) n(f) = 2 n(v) - n(e)_bound - 2 C + 2 H  (1.1.3) n(e) = 3 n(v) - n(e)_bound - 3 C + 3 H
-///   (1.1.4) n(v) - n(e) + n(f) = 2 C - L          each component a sphere with its loops cut out: no handles
-///   L = C + H                             one outer loop a component
-///   boundary edges listed = counted
+/// - (1.1.0), Euler's, the infinite face and the holes counted as faces: n(f) + H + 1 = n(e) - n(v) + 1 + C
+/// - (1.1.1), that is chi = C - H: n(f) + n(v) = n(e) + C - H
+/// - (1.1.2): 2 n(e)_interior + n(e)_bound = 3 n(f)
+/// - (1.1.3): n(f) = 2 n(v) - n(e)_bound - 2 C + 2 H
+/// - (1.1.4): n(e) = 3 n(v) - n(e)_bound - 3 C + 3 H
+/// - no handles, each component a sphere with its loops cut out: n(v) - n(e) + n(f) = 2 C - L
+/// - outer loops = C, and L = C + H
+/// - boundary edges listed = n(e)_bound
+/// - n(v) = vertices + pinches
+///
 /// The notes state them for one component, C = 1.
 /// Cost O(vertices + triangles) nearly, plus an exact sum a boundary loop.
 [[nodiscard]] EulerAccount euler_account(const TriangleMesh& mesh, const EdgeStructure& edges);

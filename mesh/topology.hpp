@@ -14,9 +14,8 @@ namespace leonhard::mesh {
 /// corners[t][i], none on the boundary. Coordinates, markers and boundary are not read.
 ///
 /// throws  InputError, mesh unchanged, on a corner that is no vertex, a triangle that names a vertex twice,
-/// an edge
-///         with three triangles, neighbours of unlike orientation, and a triangle given twice; names the
-///         triangles
+///         an edge with three triangles, neighbours of unlike orientation, and a triangle given twice; names
+///         the triangles
 /// Cost O(vertices + triangles), one sort by buckets.
 void build_neighbours(TriangleMesh& mesh);
 

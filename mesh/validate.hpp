@@ -8,28 +8,37 @@
 
 namespace leonhard::mesh {
 
-/// The first broken invariant of TriangleMesh in words, with ids and coordinates; none if all hold. In this
-/// order: array sizes (vertex_markers and regions may also be empty); finite points; corners in range and
-/// distinct; every vertex in a triangle; orientation positive by exact orient2d; no edge with three triangles
-/// or of unlike orientation; neighbours exactly those that share an edge; boundary = the edges with one
-/// triangle, each once, mesh on the left; constraints are interior edges, each once. Cost O(vertices +
-/// triangles + boundary log boundary).
+/// The first broken invariant of TriangleMesh in words, with ids and coordinates; none if all hold. In this order:
+/// - neighbours and regions have one entry a triangle, vertex_markers one a vertex
+/// - points are finite
+/// - corners are vertices, three different ones a triangle
+/// - every vertex has a triangle
+/// - every triangle is counter-clockwise by exact orient2d
+/// - no edge has three triangles, or two on the same side
+/// - neighbours are exactly the triangles that share an edge
+/// - boundary has the edges with one triangle, each once, the mesh on the left
+/// - constraints are interior edges
+///
+/// Cost O(vertices + triangles + boundary log boundary).
 [[nodiscard]] std::optional<std::string> validate(const TriangleMesh& mesh);
 
 /// Whether triangles overlap although each one is positive: the words for the first place found, none if the
 /// mesh lies properly in the plane.
 ///
 /// mesh    `validate` finds nothing wrong with it
-/// Argument: where all triangles are positive, the number of triangles over a point off the edges is the
-/// winding number of the mesh's boundary about it (interior edges cancel; the degree of a map from its
-/// boundary). So no two triangles overlap if and only if the boundary's winding number is 0 or 1 everywhere.
-/// A sweep over the boundary edges in lexicographic order (Shamos and Hoey, FOCS 1976) finds edges that
-/// cross, overlap or carry another's vertex, and where there are none reads off the winding number above and
-/// below every edge. Before that each interior vertex is asked whether its triangles wind about it once,
-/// because this names the culprit better. All by comparisons and exact orient2d. Boundary edges may meet in
-/// vertices, shared or of equal coordinates, and two of equal coordinates may lie back to back (a slit); a
-/// vertex inside another boundary edge is reported (a hanging node). Cost O(triangles + boundary log
-/// boundary).
+///
+/// Argument: where all triangles are positive, the number of triangles over a point off the edges is the winding
+/// number of the mesh's boundary about it (interior edges cancel; the degree of a map from its boundary). So no
+/// two triangles overlap if and only if the boundary's winding number is 0 or 1 everywhere. A sweep over the
+/// boundary edges in lexicographic order (Shamos and Hoey, FOCS 1976) finds edges that cross, overlap or carry
+/// another's vertex, and where there are none reads off the winding number above and below every edge. Before that
+/// each vertex is asked whether its triangles cover a direction twice, because this names the culprit better. All
+/// by comparisons and exact orient2d.
+///
+/// Boundary edges may meet in vertices, shared or of equal coordinates, and two of equal coordinates may lie back
+/// to back (a slit); a vertex inside another boundary edge is reported (a hanging node).
+///
+/// Cost O(triangles + boundary log boundary).
 [[nodiscard]] std::optional<std::string> validate_embedding(const TriangleMesh& mesh);
 
 /// The first edge that is not locally Delaunay, in words: the opposite corner of one of its triangles lies
