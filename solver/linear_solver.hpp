@@ -5,13 +5,14 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace leonhard {
 
-/// PETSc's life, at most one at a time and made once, by the program or a test's main: starts PETSc (and MPI
-/// with it, in one process, no mpirun) without command line, signal handlers or output, and ends both in the
-/// destructor. Does nothing where PETSc is already running.
+/// PETSc's life, at most one at a time and made once, by the program or a test's main: starts PETSc (and MPI with it,
+/// in one process, no mpirun) without command line, signal handlers or output, and ends both in the destructor. Does
+/// nothing where PETSc is already running.
 class PetscSession {
  public:
   /// throws  std::runtime_error when PETSc cannot start
@@ -24,4 +25,53 @@ class PetscSession {
   bool owner_ = false;
 };
 
+namespace solver {
+
+enum class LinearOutcome { reached, iteration_limit, breakdown, stopped };
+
+struct LinearReport {
+  LinearOutcome outcome{};
+  int iterations{};
+  double relative_residual{};  ///< last preconditioned norm over the first
+};
+
+struct LinearOptions {
+  double relative_tolerance = 0.1;
+  int max_iterations = 30;  ///< also GMRES's restart length
+};
+
+/// y = A x for vectors of 4 numbers a row.
+using LinearOperator = std::function<void(std::span<const double> x, std::span<double> y)>;
+
+/// A sparse matrix of 4 x 4 blocks, its incomplete factors and GMRES; hides PETSc. One process; the distributed one
+/// will be another class with this interface.
+class BlockSystem {
+ public:
+  /// row_offset, column  block pattern, columns ascending in each row, every row with its diagonal
+  /// throws              std::logic_error without a PetscSession
+  BlockSystem(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column);
+  ~BlockSystem();
+  BlockSystem(BlockSystem&&) noexcept;
+  BlockSystem& operator=(BlockSystem&&) noexcept;
+
+  /// Set the matrix and its incomplete factors ILU(0) in the rows' own order.
+  /// blocks   16 numbers a block of the pattern, column by column; may be longer
+  /// returns  false where a pivot block is singular or not finite
+  [[nodiscard]] bool factor(std::span<const double> blocks);
+
+  /// Solve A x = b by GMRES, preconditioned from the right by the last factors, started at 0.
+  /// product  A; empty: the matrix itself
+  [[nodiscard]] LinearReport solve(std::span<const double> b, std::span<double> x,
+                                   const LinearOptions& options, const LinearOperator& product = {},
+                                   std::stop_token stop = {});
+
+  /// x = (LU)^-1 b with the last factors.
+  void apply_factors(std::span<const double> b, std::span<double> x);
+
+ private:
+  struct Petsc;
+  std::unique_ptr<Petsc> petsc_;
+};
+
+}  // namespace solver
 }  // namespace leonhard

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/solver/linear_solver.hpp"
+
+#include <petscksp.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace leonhard {
+namespace {
+
+static_assert(sizeof(PetscInt) == sizeof(std::int32_t), "PETSc with 32-bit indices");
+static_assert(sizeof(PetscScalar) == sizeof(double), "PETSc with real scalars");
+
+void check(PetscErrorCode code, const char* what) {
+  if (code != 0)
+    throw std::runtime_error(std::string("PETSc: ") + what + " failed with error " + std::to_string(code));
+}
+
+bool petsc_runs() {
+  PetscBool initialized = PETSC_FALSE, finalized = PETSC_FALSE;
+  PetscInitialized(&initialized);
+  PetscFinalized(&finalized);
+  return initialized && !finalized;
+}
+
+}  // namespace
+
+PetscSession::PetscSession() {
+  if (petsc_runs()) return;
+  check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "true"), "PetscOptionsSetValue");
+  check(PetscInitializeNoArguments(), "PetscInitialize");
+  owner_ = true;
+  check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr), "PetscPushErrorHandler");
+}
+
+PetscSession::~PetscSession() {
+  if (owner_ && petsc_runs()) PetscFinalize();
+}
+
+namespace solver {
+
+struct BlockSystem::Petsc {
+  std::size_t block_numbers{};  ///< numbers in the matrix
+  std::size_t size{};           ///< numbers in a vector
+  Mat matrix = nullptr, shell = nullptr;
+  KSP ksp = nullptr;
+  Vec x = nullptr, b = nullptr;
+  const LinearOperator* product = nullptr;
+  std::stop_token stop;
+  bool stopped = false;
+  double first_norm = 0, last_norm = 0, relative_tolerance = 0;
+  PetscInt max_iterations = 0;
+
+  struct Callbacks;
+
+  ~Petsc() {
+    if (!petsc_runs()) return;
+    KSPDestroy(&ksp);
+    MatDestroy(&shell);
+    MatDestroy(&matrix);
+    VecDestroy(&x);
+    VecDestroy(&b);
+  }
+};
+
+/// What PETSc calls back: whether to go on, and the product with a vector.
+struct BlockSystem::Petsc::Callbacks {
+  static PetscErrorCode judge(KSP /*ksp*/, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason,
+                              void* context) {
+    auto& self = *static_cast<Petsc*>(context);
+    if (iteration == 0) self.first_norm = norm;
+    self.last_norm = norm;
+    *reason = KSP_CONVERGED_ITERATING;
+    if (self.stop.stop_requested()) {
+      self.stopped = true;
+      *reason = KSP_DIVERGED_BREAKDOWN;
+    } else if (!(norm <= 1e300)) {
+      *reason = KSP_DIVERGED_NANORINF;
+    } else if (norm <= self.relative_tolerance * self.first_norm) {
+      *reason = KSP_CONVERGED_RTOL;
+    } else if (iteration >= self.max_iterations) {
+      *reason = KSP_DIVERGED_ITS;
+    }
+    return 0;
+  }
+
+  static PetscErrorCode multiply(Mat shell, Vec x, Vec y) {
+    void* context = nullptr;
+    PetscErrorCode code = MatShellGetContext(shell, static_cast<void*>(&context));
+    if (code != 0) return code;
+    auto& self = *static_cast<Petsc*>(context);
+    const PetscScalar* from = nullptr;
+    PetscScalar* to = nullptr;
+    VecGetArrayRead(x, &from);
+    VecGetArray(y, &to);
+    (*self.product)({from, self.size}, {to, self.size});
+    VecRestoreArray(y, &to);
+    return VecRestoreArrayRead(x, &from);
+  }
+};
+
+BlockSystem::BlockSystem(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column)
+    : petsc_(std::make_unique<Petsc>()) {
+  if (!petsc_runs()) throw std::logic_error("BlockSystem: make a PetscSession first");
+  Petsc& self = *petsc_;
+  self.block_numbers = 16 * column.size();
+  const auto rows = static_cast<PetscInt>(row_offset.size() - 1), size = 4 * rows;
+  self.size = static_cast<std::size_t>(size);
+  check(MatCreate(PETSC_COMM_SELF, &self.matrix), "MatCreate");
+  check(MatSetSizes(self.matrix, size, size, size, size), "MatSetSizes");
+  check(MatSetType(self.matrix, MATSEQBAIJ), "MatSetType");
+  check(MatSeqBAIJSetPreallocationCSR(self.matrix, 4, row_offset.data(), column.data(), nullptr),
+        "MatSeqBAIJSetPreallocationCSR");
+  check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, petsc_.get(), &self.shell), "MatCreateShell");
+  check(
+      MatShellSetOperation(self.shell, MATOP_MULT, reinterpret_cast<void (*)()>(&Petsc::Callbacks::multiply)),
+      "MatShellSetOperation");
+  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 4, size, nullptr, &self.x), "VecCreate");
+  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 4, size, nullptr, &self.b), "VecCreate");
+  check(KSPCreate(PETSC_COMM_SELF, &self.ksp), "KSPCreate");
+  PC pc = nullptr;
+  check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
+  check(PCSetType(pc, PCILU), "PCSetType");
+  check(PCFactorSetMatOrderingType(pc, MATORDERINGNATURAL), "PCFactorSetMatOrderingType");
+  check(KSPSetType(self.ksp, KSPGMRES), "KSPSetType");
+  check(KSPSetPCSide(self.ksp, PC_RIGHT), "KSPSetPCSide");
+  check(KSPSetNormType(self.ksp, KSP_NORM_UNPRECONDITIONED), "KSPSetNormType");
+  check(KSPSetConvergenceTest(self.ksp, &Petsc::Callbacks::judge, petsc_.get(), nullptr),
+        "KSPSetConvergenceTest");
+}
+
+BlockSystem::~BlockSystem() = default;
+BlockSystem::BlockSystem(BlockSystem&&) noexcept = default;
+BlockSystem& BlockSystem::operator=(BlockSystem&&) noexcept = default;
+
+bool BlockSystem::factor(std::span<const double> blocks) {
+  Petsc& self = *petsc_;
+  PetscScalar* values = nullptr;
+  check(MatSeqBAIJGetArray(self.matrix, &values), "MatSeqBAIJGetArray");
+  std::copy_n(blocks.begin(), self.block_numbers, values);
+  check(MatSeqBAIJRestoreArray(self.matrix, &values), "MatSeqBAIJRestoreArray");
+  check(MatAssemblyBegin(self.matrix, MAT_FINAL_ASSEMBLY),
+        "MatAssemblyBegin");  // tells PETSc that blocks changed
+  check(MatAssemblyEnd(self.matrix, MAT_FINAL_ASSEMBLY), "MatAssemblyEnd");
+  check(KSPSetReusePreconditioner(self.ksp, PETSC_FALSE), "KSPSetReusePreconditioner");
+  check(KSPSetOperators(self.ksp, self.matrix, self.matrix), "KSPSetOperators");
+  check(KSPSetUp(self.ksp), "KSPSetUp");
+  check(KSPSetReusePreconditioner(self.ksp, PETSC_TRUE), "KSPSetReusePreconditioner");
+  PC pc = nullptr;
+  PCFailedReason failed = PC_NOERROR;
+  check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
+  check(PCGetFailedReason(pc, &failed), "PCGetFailedReason");
+  return failed == PC_NOERROR;
+}
+
+LinearReport BlockSystem::solve(std::span<const double> b, std::span<double> x, const LinearOptions& options,
+                                const LinearOperator& product, std::stop_token stop) {
+  Petsc& self = *petsc_;
+  self.product = &product;
+  self.stop = std::move(stop);
+  self.stopped = false;
+  self.relative_tolerance = options.relative_tolerance;
+  self.max_iterations = options.max_iterations;
+  check(KSPSetOperators(self.ksp, product ? self.shell : self.matrix, self.matrix), "KSPSetOperators");
+  check(KSPGMRESSetRestart(self.ksp, options.max_iterations), "KSPGMRESSetRestart");
+  check(KSPSetTolerances(self.ksp, options.relative_tolerance, 0, PETSC_DEFAULT, options.max_iterations),
+        "KSPSetTolerances");
+  check(VecPlaceArray(self.b, b.data()), "VecPlaceArray");
+  check(VecPlaceArray(self.x, x.data()), "VecPlaceArray");
+  const PetscErrorCode code = KSPSolve(self.ksp, self.b, self.x);
+  VecResetArray(self.b);
+  VecResetArray(self.x);
+  check(code, "KSPSolve");
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  PetscInt iterations = 0;
+  check(KSPGetConvergedReason(self.ksp, &reason), "KSPGetConvergedReason");
+  check(KSPGetIterationNumber(self.ksp, &iterations), "KSPGetIterationNumber");
+  LinearReport report;
+  report.iterations = iterations;
+  report.relative_residual = self.first_norm > 0 ? self.last_norm / self.first_norm : 0;
+  report.outcome = self.stopped                 ? LinearOutcome::stopped
+                   : reason > 0                 ? LinearOutcome::reached
+                   : reason == KSP_DIVERGED_ITS ? LinearOutcome::iteration_limit
+                                                : LinearOutcome::breakdown;
+  return report;
+}
+
+void BlockSystem::apply_factors(std::span<const double> b, std::span<double> x) {
+  Petsc& self = *petsc_;
+  PC pc = nullptr;
+  check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
+  check(VecPlaceArray(self.b, b.data()), "VecPlaceArray");
+  check(VecPlaceArray(self.x, x.data()), "VecPlaceArray");
+  const PetscErrorCode code = PCApply(pc, self.b, self.x);
+  VecResetArray(self.b);
+  VecResetArray(self.x);
+  check(code, "PCApply");
+}
+
+}  // namespace solver
+}  // namespace leonhard

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "leonhard/solver/steady.hpp"
+
+namespace leonhard::solver {
+
+/// Keeps the history and says when to stop.
+///
+/// converged        the residual fell far enough
+/// settled          over the window cl, cd and cm moved less than the tolerance while the residual's best value fell by
+///                  less than `falling` orders
+/// stalled          over three windows the residual's best value fell by less than `falling` orders
+/// iteration_limit  as it says
+class ConvergenceMonitor {
+ public:
+  static constexpr double falling = 0.2;
+
+  ConvergenceMonitor(const SteadyOptions& options, int window, int max_iterations,
+                     std::function<void(const Iteration&)> report, std::stop_token stop);
+
+  /// Take one iteration down, report it, and answer whether that ends the march.
+  [[nodiscard]] std::optional<Verdict> record(const Iteration& iteration);
+
+  [[nodiscard]] std::vector<Iteration> take_history() { return std::move(history_); }
+
+ private:
+  [[nodiscard]] bool coefficients_stand_still(std::size_t window) const;
+
+  double drop_orders_, settle_tolerance_;
+  std::size_t window_;
+  int max_iterations_;
+  std::function<void(const Iteration&)> report_;
+  std::stop_token stop_;
+  std::vector<Iteration> history_;
+  std::vector<double> best_so_far_;
+};
+
+/// The first vertex whose state is unphysical, or else whose residual is not finite, with what lies next to it.
+/// residual  4 a vertex, or empty
+[[nodiscard]] std::optional<BadVertex> find_bad_vertex(const EulerProblem& problem,
+                                                       const PerId<VertexId, State>& state,
+                                                       const std::vector<double>& residual);
+
+/// The verdict in a sentence with its figures.
+[[nodiscard]] std::string describe(Verdict verdict, const std::vector<Iteration>& history,
+                                   const std::optional<BadVertex>& bad, const TriangleMesh& mesh);
+
+}  // namespace leonhard::solver

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/solver/parallel.hpp"
+
+#if defined(LEONHARD_HAS_TBB)
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace leonhard::solver {
+
+#if defined(LEONHARD_HAS_TBB)
+struct PartRunner::Arena {
+  tbb::task_arena tasks;
+};
+
+PartRunner::PartRunner(int threads) {
+  if (threads > 1) arena_ = std::make_unique<Arena>(tbb::task_arena(threads));
+}
+
+void PartRunner::operator()(std::size_t parts, const std::function<void(std::size_t)>& body) const {
+  if (arena_ && parts > 1)
+    arena_->tasks.execute([&] { tbb::parallel_for(std::size_t{0}, parts, body); });
+  else
+    for (std::size_t part = 0; part < parts; ++part) body(part);
+}
+#else
+struct PartRunner::Arena {};
+
+PartRunner::PartRunner(int /*threads*/) {}
+
+void PartRunner::operator()(std::size_t parts, const std::function<void(std::size_t)>& body) const {
+  for (std::size_t part = 0; part < parts; ++part) body(part);
+}
+#endif
+
+PartRunner::~PartRunner() = default;
+PartRunner::PartRunner(PartRunner&&) noexcept = default;
+PartRunner& PartRunner::operator=(PartRunner&&) noexcept = default;
+
+}  // namespace leonhard::solver
