@@ -11,9 +11,9 @@ using leonhard::fuzzing::report;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   leonhard::fuzzing::Input input(data, size);
-  const bool small_integers = input.take<std::uint8_t>() % 2 == 1;
+  const unsigned kind = input.take<std::uint8_t>();
   std::vector<Point2> points;
-  while (!input.empty()) points.push_back(input.point(small_integers));
+  while (!input.empty()) points.push_back(input.point(kind));
 
   const std::vector<std::uint32_t> order = k::hilbert_order(points);
   if (order.size() != points.size()) report("hilbert_order has the wrong length", points);

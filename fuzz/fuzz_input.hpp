@@ -43,10 +43,19 @@ class Input {
   /// A small integer of one byte: makes repeated, collinear and cocircular points likely.
   [[nodiscard]] double small() { return take<std::int8_t>(); }
 
-  /// A point of either kind of coordinates.
-  [[nodiscard]] Point2 point(bool small_integers) {
-    const double x = small_integers ? small() : finite();
-    return {x, small_integers ? small() : finite()};
+  /// A small multiple of 0.1, a few units in the last place off: makes nearly collinear and cocircular points.
+  [[nodiscard]] double nearly_tenths() {
+    const double tenths = 0.1 * small();
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(tenths) + take<std::uint8_t>() % 4);
+  }
+
+  /// A point whose coordinates are of one kind: 0 finite, 1 small, 2 nearly_tenths, repeated beyond.
+  [[nodiscard]] Point2 point(unsigned kind) {
+    const auto coordinate = [this, kind] {
+      return kind % 3 == 0 ? finite() : kind % 3 == 1 ? small() : nearly_tenths();
+    };
+    const double x = coordinate();
+    return {x, coordinate()};
   }
 
  private:

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
@@ -20,16 +23,17 @@
 ///
 /// Notation of the error bounds: u = 2^-53, the largest relative error of one operation that does not
 /// underflow; addition and subtraction never underflow; a product that does is wrong by 2^-1075 at most. An
-/// overflow makes the bound infinite or NaN, so that the comparison with it fails and the filter does not
-/// answer. All bounds hold with and without fused multiply-add, which only leaves roundings out;
-/// round-to-nearest is required (floating_point_self_test says whether it is on).
+/// overflow makes |determinant| - bound infinite or NaN, and the filter does not answer. All bounds hold with
+/// and without fused multiply-add, which only leaves roundings out; round-to-nearest is required
+/// (floating_point_self_test says whether it is on). Points are taken by reference so that the call of the
+/// exact part costs the inlined filter no copies.
 namespace leonhard::kernel {
 
 /// What a filter says: a sign that is certainly right, or that it cannot tell. It never proves zero.
 class FilteredSign {
  public:
   constexpr FilteredSign() = default;
-  explicit constexpr FilteredSign(bool is_positive) : sign_(is_positive ? Sign::positive : Sign::negative) {}
+  explicit constexpr FilteredSign(Sign certain) : sign_(certain) {}
 
   [[nodiscard]] constexpr bool is_certain() const { return sign_ != Sign::zero; }
   /// The sign, if it is certain.
@@ -44,21 +48,29 @@ namespace detail {
 /// Larger than all that underflow can add to the error of a filter, and far above the subnormal numbers.
 inline constexpr double underflow_guard = 0x1p-1000;
 
+/// The sign of value, if |value| - bound is at least the guard and finite: then the value's error, at most `bound`
+/// and a few smallest numbers, cannot have turned the sign, and nothing has overflowed.
+///
+/// One comparison of bit patterns does it: those of doubles >= 0 are in the order of the numbers, those of infinity,
+/// NaN and negative numbers come after.
 [[nodiscard]] inline FilteredSign sign_if_beyond(double value, double bound) {
-  if (std::abs(value) > bound) [[likely]]
-    return FilteredSign(value > 0);
+  constexpr auto lowest = std::bit_cast<std::uint64_t>(underflow_guard);
+  constexpr auto infinite = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  const double margin = std::abs(value) - bound;
+  if (std::bit_cast<std::uint64_t>(margin) - lowest < infinite - lowest) [[likely]]
+    return FilteredSign(
+        static_cast<Sign>(std::bit_cast<std::int64_t>(value) >> 63 | 1));  // sign bit: -1, else 1
   return {};
 }
 
 /// The sign of l - r, each the rounded product of two rounded differences of coordinates.
 ///
-/// l and r have three roundings each, so |(l - r) - exact| <= (3u + O(u^2)) (|l| + |r|) + 2^-1074. The
-/// rounded difference has the sign of l - r. Now |l| + |r| = max(|l - r|, |l + r|); where the first is the
-/// larger one the sign is plainly right (up to underflow, for which the guard stands), so only |l + r| need
-/// be compared with. 3.3307e-16 is 3u and one part in a hundred thousand, more than all terms in u^2
-/// together.
+/// l and r have three roundings each, so |(l - r) - exact| <= (3u + O(u^2)) (|l| + |r|) + 2^-1074, and the rounded
+/// difference has the sign of l - r. As |l| + |r| <= 2 |l| + |l - r|, it is enough that
+/// (1 - 3u) |l - r| > 6u |l| and what is left. 6.6614e-16 is 6u and a hundred-thousandth of it, more than all terms in
+/// u^2 together.
 [[nodiscard]] inline FilteredSign sign_of_difference(double l, double r) {
-  return sign_if_beyond(l - r, 3.3307e-16 * std::abs(l + r) + underflow_guard);
+  return sign_if_beyond(l - r, 6.6614e-16 * std::abs(l));
 }
 
 }  // namespace detail
@@ -90,14 +102,14 @@ inline constexpr double underflow_guard = 0x1p-1000;
 /// the sum is at most abc (a + b + c) <= (ab + bc + ca)^2 / 3 <= L^2 / 3, a = |A| and so on, L = |A|^2 +
 /// |B|^2 + |C|^2. 11u/3 < 2^-51 = 4u leaves a twelfth for the terms in u^2. A minor or square that underflows
 /// adds less than 2^-1073 L, a final product 2^-1073: together less than the guard plus 2^-1000 L^2. No term
-/// exceeds L^2, so nothing overflows unless the bound does.
+/// exceeds L^2, so nothing overflows unless L^2 does.
 [[nodiscard]] inline FilteredSign incircle_filter(const Point2& a, const Point2& b, const Point2& c,
                                                   const Point2& d) {
   const Vec2 u = a - d, v = b - d, w = c - d;
   const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
   const double determinant = uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
   const double size = uu + vv + ww;
-  return detail::sign_if_beyond(determinant, 0x1p-51 * (size * size) + detail::underflow_guard);
+  return detail::sign_if_beyond(determinant, 0x1p-51 * (size * size));
 }
 [[nodiscard]] Sign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
@@ -153,12 +165,12 @@ inline constexpr double underflow_guard = 0x1p-1000;
 
 // ---- compare_distance ----
 
-/// Error bound: 4 roundings in each of the squared distances A and B, and |A - B| <= A + B, so 4u (A + B) and
-/// terms in u^2; 4.4409e-16 is 4u, 4.4410e-16 leaves a hundred-thousandth for them.
+/// Error bound: 4 roundings in each of the squared distances A and B, so 4u (A + B) <= 4u (2 A + |A - B|) and terms in
+/// u^2; 8.8819e-16 is 8u and a hundred-thousandth of it.
 [[nodiscard]] inline FilteredSign compare_distance_filter(const Point2& p, const Point2& a, const Point2& b) {
   const Vec2 u = a - p, v = b - p;
-  const double uu = dot(u, u), vv = dot(v, v);
-  return detail::sign_if_beyond(uu - vv, 4.4410e-16 * (uu + vv) + detail::underflow_guard);
+  const double uu = dot(u, u);
+  return detail::sign_if_beyond(uu - dot(v, v), 8.8819e-16 * uu);
 }
 [[nodiscard]] Sign compare_distance_exact(const Point2& p, const Point2& a, const Point2& b);
 
