@@ -157,31 +157,32 @@ std::vector<double> multiples(double step, double low, double high) {
   return result;
 }
 
-std::string label_of(double value, double step) {
-  const double size = std::max(std::abs(value), step);
-  if (value != 0 && (size >= 1e6 || (step < 1e-4 && size < 1e-2))) {
-    const int exponent = static_cast<int>(std::floor(std::log10(size) + 1e-9));
-    const double power = std::pow(10.0, exponent);
-    return fixed(value / power, decimals_of(step / power)) + "×10" + superscript(exponent);
-  }
-  return fixed(value, decimals_of(step));
+std::string label_of(double value, double step, double largest) {
+  const double size = std::max(std::abs(largest), step);
+  if (size < 1e6 && (step >= 1e-4 || size >= 1e-2)) return fixed(value, decimals_of(step));
+  if (std::abs(value) < step * 1e-6) return "0";
+  const int exponent = static_cast<int>(std::floor(std::log10(size) + 1e-9));
+  const double power = std::pow(10.0, exponent);
+  return fixed(value / power, decimals_of(step / power)) + "×10" + superscript(exponent);
 }
 
 std::vector<Tick> ticks_of(const Axis& axis, int target) {
   if (axis.logarithmic) return log_ticks(axis, target);
   const double step = nice_step((axis.high - axis.low) / std::max(target, 1));
   std::vector<Tick> result;
-  for (const double value : multiples(step, axis.low, axis.high))
-    result.push_back({value, label_of(value, step)});
+  const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
+  for (const double value : multiples(step, axis.low, axis.high)) {
+    result.push_back({value, label_of(value, step, largest)});
+  }
   return result;
 }
 
 int ticks_across(const Canvas& canvas, double length) {
-  return std::clamp(static_cast<int>(length / (5.5 * canvas.text_size())), 2, 10);
+  return std::clamp(static_cast<int>(length / (5.0 * canvas.text_size())), 2, 10);
 }
 
 int ticks_down(const Canvas& canvas, double length) {
-  return std::clamp(static_cast<int>(length / (3.2 * canvas.text_size())), 2, 10);
+  return std::clamp(static_cast<int>(length / (2.6 * canvas.text_size())), 2, 10);
 }
 
 double left_margin(Canvas& canvas, const Axis& y, double height, const std::string& label) {
@@ -197,12 +198,13 @@ PlotFrame fit_frame(Canvas& canvas, const Rect& outer, const Axis& x, const Axis
   const double bottom =
       (tick_length + tick_gap + cap * tick_text + outer_gap + (text.x_label.empty() ? 0 : label_gap + 1.0)) *
       em;
-  const double right = 1.6 * em;
+  const double last_label = widest(canvas, ticks_of(x, ticks_across(canvas, outer.width)));
+  const double right = std::max(1.6 * em, last_label / 2 + 0.6 * em);
   Rect area{outer.left, outer.top + top, outer.width, std::max(outer.height - top - bottom, 4 * em)};
   const double margin = std::max(left, left_margin(canvas, y, area.height, text.y_label));
   area.left += margin;
   area.width = std::max(outer.width - margin - right, 4 * em);
-  return {area, x, y};
+  return {area, x, y, outer.left + (outer_gap + cap) * em};
 }
 
 void draw_grid(Canvas& canvas, const PlotFrame& frame) {
@@ -227,11 +229,13 @@ void draw_axes(Canvas& canvas, const PlotFrame& frame, const AxesText& text) {
   const double below = area.bottom() + (tick_length + tick_gap + cap * tick_text + label_gap) * em;
   canvas.text({area.left + area.width / 2, below}, text.x_label,
               {.size = label_text, .across = 0.5, .down = 0});
-  const double labels = widest(canvas, ticks_of(frame.y, ticks_down(canvas, area.height)));
-  const double beside = area.left - labels - (tick_length + tick_gap + label_gap) * em;
-  canvas.text({beside, area.top + area.height / 2}, text.y_label,
-              {.size = label_text, .across = 0.5, .down = 1, .upwards = true});
+  draw_upright_label(canvas, frame.y_label_at - cap * em / 2, area.top + area.height / 2, text.y_label);
   canvas.text({area.left, area.top - 0.75 * em}, text.title, {.size = title_text, .bold = true, .down = 1});
+}
+
+void draw_upright_label(Canvas& canvas, double x, double y, const std::string& label) {
+  const bool short_enough = canvas.text_width(label, {.size = label_text}) < 0.95 * canvas.text_size();
+  canvas.text({x, y}, label, {.size = label_text, .across = 0.5, .upwards = !short_enough});
 }
 
 void draw_marker(Canvas& canvas, MarkerStyle marker, Point2 at, Colour colour) {

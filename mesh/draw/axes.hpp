@@ -31,8 +31,9 @@ struct Tick {
 /// The multiples of `step` in [low, high], each the double nearest to its decimal as far as that is possible.
 [[nodiscard]] std::vector<double> multiples(double step, double low, double high);
 
-/// Labels with as many digits as a step between them needs: "0.25"; beyond 10^5 or below 10^-4 "2.5×10⁻⁵".
-[[nodiscard]] std::string label_of(double value, double step);
+/// Labels with as many digits as a step between them needs: "0.25". Where the largest of the values labelled
+/// together is 10^6 or more, or tiny, all have its power of ten: "2.5×10⁻⁵".
+[[nodiscard]] std::string label_of(double value, double step, double largest);
 
 /// Ticks at nice values, about `target` of them with labels; decades on a logarithmic axis.
 [[nodiscard]] std::vector<Tick> ticks_of(const Axis& axis, int target);
@@ -45,6 +46,7 @@ struct AxesText {
 struct PlotFrame {
   Rect area;
   Axis x, y;
+  double y_label_at = 0;  ///< page: the base line of the upright label on the left
   [[nodiscard]] Point2 page(Point2 world) const;
   [[nodiscard]] Point2 world(Point2 page) const;
 };
@@ -74,6 +76,9 @@ struct LegendEntry {
   bool area = false;  ///< a filled square in place of a line
   double width = 2;   ///< of the line
 };
+
+/// A label beside a vertical axis, its middle at (x, y): turned upwards unless it is one letter.
+void draw_upright_label(Canvas& canvas, double x, double y, const std::string& label);
 
 void draw_marker(Canvas& canvas, MarkerStyle marker, Point2 at, Colour colour);
 

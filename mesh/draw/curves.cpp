@@ -157,6 +157,8 @@ void draw_panel(Canvas& canvas, const PlotFrame& frame, const CurvePanel& panel)
     if (!curve.name.empty()) legend.push_back({curve.name, colour, curve.line, curve.marker});
   }
   draw_axes(canvas, frame, text_of(panel.axes));
+  // A curve alone is named by its axis.
+  if (legend.size() == 1 && panel.axes.legend == LegendPlace::automatic) legend.clear();
   draw_legend(canvas, frame.area, legend, panel.axes.legend, samples);
 }
 

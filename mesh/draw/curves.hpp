@@ -31,8 +31,8 @@ struct AxesOptions {
   std::string title, x_label, y_label;
   bool invert_y = false;  ///< low values at the top, as is the custom for a pressure coefficient
   bool log_x = false, log_y = false;
-  std::optional<Range> x_range, y_range;  ///< default: the data with a little air
-  LegendPlace legend = LegendPlace::automatic;
+  std::optional<Range> x_range, y_range;        ///< default: the data with a little air
+  LegendPlace legend = LegendPlace::automatic;  ///< automatic: none for a curve alone
 };
 
 /// Curves on one pair of axes.

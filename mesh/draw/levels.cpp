@@ -13,6 +13,8 @@ constexpr double bar_width = 1.15, bar_gap = 0.3, tick_length = 0.3, tick_gap = 
 constexpr TextStyle tick_style{.size = 0.88};
 constexpr double most_labels = 11;
 
+double size_of(const Range& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
+
 // Every how many-th level is labelled, the labelled ones being nice values themselves.
 long long label_stride(double step, std::size_t levels) {
   const double mantissa = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
@@ -30,7 +32,7 @@ void label_regularly(Bands& bands, double step) {
   for (const double level : bands.levels) bands.is_major.push_back(std::llround(level / step) % stride == 0);
   const double between = step * static_cast<double>(stride);
   for (const double value : multiples(between, bands.range.low, bands.range.high)) {
-    bands.labels.push_back({value, label_of(value, between)});
+    bands.labels.push_back({value, label_of(value, between, size_of(bands.range))});
   }
 }
 
@@ -46,7 +48,8 @@ void label_given(Bands& bands) {
   for (std::size_t i = 0; i < bands.levels.size(); ++i) {
     const bool major = i % stride == 0;
     bands.is_major.push_back(major);
-    if (major) bands.labels.push_back({bands.levels[i], label_of(bands.levels[i], step)});
+    if (major)
+      bands.labels.push_back({bands.levels[i], label_of(bands.levels[i], step, size_of(bands.range))});
   }
 }
 
@@ -69,13 +72,13 @@ std::size_t Bands::index_of(double value) const {
 Bands make_bands(const Range& data, const FieldOptions& options) {
   Bands bands;
   bands.range = options.value_range.value_or(data);
-  const double size = std::max(std::abs(bands.range.low), std::abs(bands.range.high));
+  const double size = size_of(bands.range);
   const double span = bands.range.high - bands.range.low;
   if (span <= 1e-12 * size) {
     // A constant: one colour, and on the bar the value itself. Rounding noise is not blown up to a picture.
     const double middle = bands.range.low + span / 2, half = size > 0 ? 0.05 * size : 1;
     bands.range = {middle - half, middle + half};
-    bands.labels.push_back({middle, label_of(middle, size > 0 ? nice_step(size * 1e-4) : 1)});
+    bands.labels.push_back({middle, label_of(middle, size > 0 ? nice_step(size * 1e-4) : 1, size)});
   } else if (!options.levels.empty()) {
     std::ranges::copy_if(options.levels, std::back_inserter(bands.levels),
                          [&](double level) { return level > bands.range.low && level < bands.range.high; });
@@ -148,8 +151,7 @@ void draw_colour_bar(Canvas& canvas, const Rect& bar, const Bands& bands, const 
     widest = std::max(widest, canvas.text_width(tick.label, tick_style));
   }
   const double beside = box.right() + (tick_length + tick_gap + label_gap) * em + widest;
-  canvas.text({beside, box.top + box.height / 2}, label,
-              {.size = 1, .across = 0.5, .down = 0, .upwards = true});
+  draw_upright_label(canvas, beside + 0.365 * em, box.top + box.height / 2, label);
 }
 
 }  // namespace leonhard::draw

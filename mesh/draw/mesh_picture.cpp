@@ -6,6 +6,7 @@
 #include <set>
 
 #include "leonhard/mesh/draw/levels.hpp"
+#include "leonhard/mesh/draw/line_writer.hpp"
 #include "leonhard/mesh/draw/scene.hpp"
 #include "leonhard/mesh/quality.hpp"
 #include "leonhard/mesh/words.hpp"
@@ -102,11 +103,17 @@ class MeshPicture {
 
   void colour_boundaries(const MeshScene& scene) {
     std::map<Marker, Colour> colour_of;
-    for (const MarkedEdge& edge : mesh_.boundary) colour_of.emplace(edge.marker, ink);
+    std::set<Marker> shown;
+    for (const MarkedEdge& edge : mesh_.boundary) {
+      colour_of.emplace(edge.marker, ink);
+      if (clip_segment(scene.page(edge.from), scene.page(edge.to), scene.frame().area))
+        shown.insert(edge.marker);
+    }
     if (options_.colour_boundaries) {
       std::size_t next = 0;
       for (auto& [marker, colour] : colour_of) {
         colour = line_colour(next++);
+        if (!shown.contains(marker)) continue;
         legend_.push_back({.words = boundary_name(mesh_, marker), .colour = colour, .width = 2.6});
       }
     }

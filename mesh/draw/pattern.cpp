@@ -87,7 +87,7 @@ void draw_squares(Canvas& canvas, const Rect& area, const MatrixPattern& pattern
 // Entries counted in each pixel; one alone is already well visible.
 void draw_density(Canvas& canvas, const Rect& area, const MatrixPattern& pattern,
                   const std::vector<std::uint32_t>& new_of_old) {
-  const int pixels = std::max(1, static_cast<int>(std::lround(area.width * canvas.dots_per_pixel())));
+  const int pixels = std::max(1, static_cast<int>(std::lround(area.width)));
   const double scale = pixels / static_cast<double>(rows_of(pattern));
   const auto pixel_of = [&](std::uint32_t index) {
     return std::min(static_cast<std::size_t>((index + 0.5) * scale), static_cast<std::size_t>(pixels - 1));
@@ -105,29 +105,32 @@ void draw_density(Canvas& canvas, const Rect& area, const MatrixPattern& pattern
   }
   Raster raster{pixels, pixels, std::vector<std::uint32_t>(count.size())};
   for (std::size_t i = 0; i < count.size(); ++i) {
-    const double darkness = count[i] == 0 ? 0 : 1 - 0.55 * std::exp(-0.35 * (count[i] - 1.0));
+    const double darkness = count[i] == 0 ? 0 : 1 - 0.4 * std::exp(-0.35 * (count[i] - 1.0));
     raster.pixels[i] = shade[static_cast<std::size_t>(std::lround(255 * darkness))];
   }
   canvas.image(area, raster);
 }
 
-void draw_one(Canvas& canvas, const Rect& outer, const MatrixPattern& pattern,
-              const std::vector<std::uint32_t>& new_of_old) {
-  const double em = canvas.text_size(), rows = static_cast<double>(rows_of(pattern));
+// A square frame in the middle of its share of the page.
+PlotFrame square_frame(Canvas& canvas, const Rect& outer, const MatrixPattern& pattern) {
+  const double rows = static_cast<double>(rows_of(pattern));
   const Axis across{0, rows}, down{.low = 0, .high = rows, .reversed = true};
   PlotFrame frame = fit_frame(canvas, outer, across, down, {pattern.title, pattern.subtitle, {}});
-  const double side = std::floor(std::min(frame.area.width, frame.area.height));
-  frame.area.left = std::round(frame.area.left + (frame.area.width - side) / 2);
-  frame.area.top = std::round(frame.area.top + (frame.area.height - side) / 2);
-  frame.area.width = frame.area.height = side;
-  if (side / rows >= 2) {
+  Rect& area = frame.area;
+  const double side = std::floor(std::min(area.width, area.height));
+  area = {std::round(area.left + (area.width - side) / 2), std::round(area.top + (area.height - side) / 2),
+          side, side};
+  return frame;
+}
+
+void draw_one(Canvas& canvas, const PlotFrame& frame, const MatrixPattern& pattern,
+              const std::vector<std::uint32_t>& new_of_old) {
+  if (frame.area.width >= 2 * static_cast<double>(rows_of(pattern))) {
     draw_squares(canvas, frame.area, pattern, new_of_old);
   } else {
     draw_density(canvas, frame.area, pattern, new_of_old);
   }
-  draw_axes(canvas, frame, {pattern.title, {}, {}});
-  canvas.text({frame.area.left + side / 2, frame.area.bottom() + 2.1 * em}, pattern.subtitle,
-              {.size = 0.95, .across = 0.5, .down = 0});
+  draw_axes(canvas, frame, {pattern.title, pattern.subtitle, {}});
 }
 
 }  // namespace
@@ -141,13 +144,18 @@ void draw_pattern(const std::filesystem::path& path, std::span<const MatrixPatte
     inverses.push_back(inverse_order(pattern));
   }
   Canvas canvas(path, size);
-  const double em = canvas.text_size(), top = title.empty() ? 0 : 2.4 * em;
-  canvas.text({canvas.width() / 2, 0.8 * em}, title, {.size = 1.25, .bold = true, .across = 0.5, .down = 0});
+  const double em = canvas.text_size(), top = title.empty() ? 0 : 2.8 * em;
   const double width = canvas.width() / static_cast<double>(patterns.size());
+  double highest = canvas.height();
+  std::vector<PlotFrame> frames;
   for (std::size_t i = 0; i < patterns.size(); ++i) {
-    draw_one(canvas, {static_cast<double>(i) * width, top, width, canvas.height() - top}, patterns[i],
-             inverses[i]);
+    const Rect outer{static_cast<double>(i) * width, top, width, canvas.height() - top};
+    frames.push_back(square_frame(canvas, outer, patterns[i]));
+    highest = std::min(highest, frames.back().area.top);
   }
+  canvas.text({canvas.width() / 2, highest - 4.0 * em}, title,
+              {.size = 1.25, .bold = true, .across = 0.5, .down = 0});
+  for (std::size_t i = 0; i < patterns.size(); ++i) draw_one(canvas, frames[i], patterns[i], inverses[i]);
   canvas.save();
 }
 
