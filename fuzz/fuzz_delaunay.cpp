@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Planar straight-line graphs from bytes, on small integer grids (many ties, overlaps and crossings) or from raw
+// doubles: triangulate, constrain and refine with a small budget, and check every answer with the public
+// validators. A graph may be refused with an InputError; whatever is returned must be valid.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "fuzz/fuzz_input.hpp"
+#include "leonhard/delaunay/refine.hpp"
+#include "leonhard/delaunay/triangulate.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/exact_area.hpp"
+#include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/validate.hpp"
+
+namespace {
+
+using namespace leonhard;
+
+/// Whether two segments have a point in the interior of both that is a vertex of neither.
+bool cross(const Pslg& pslg, const Pslg::Segment& s, const Pslg::Segment& t) {
+  const auto side = [&](const Pslg::Segment& of, std::size_t i) {
+    return kernel::orient2d(pslg.points[of.from], pslg.points[of.to], pslg.points[i]);
+  };
+  return side(s, t.from) * side(s, t.to) == Sign::negative &&
+         side(t, s.from) * side(t, s.to) == Sign::negative;
+}
+
+/// Some graphs keep crossing segments, to be refused; from others they are left out.
+Pslg graph_from(fuzzing::Input& in) {
+  Pslg pslg;
+  const unsigned kind =
+      in.take<std::uint8_t>() % 4;  // 0 and 1: points of fuzzing::Input; 2 and 3: a small grid
+  const unsigned grid = 2 + in.take<std::uint8_t>() % 14;
+  const std::size_t points = 3 + in.take<std::uint8_t>() % 40, segments = in.take<std::uint8_t>() % 64;
+  const unsigned seeds = in.take<std::uint8_t>() % 8;
+  const bool crossing = in.take<std::uint8_t>() % 8 == 0;
+  const auto byte_below = [&](std::size_t bound) { return in.take<std::uint8_t>() % bound; };
+  const auto grid_point = [&] {
+    const double x = static_cast<double>(byte_below(grid));
+    return Point2{x, static_cast<double>(byte_below(grid))};
+  };
+  for (std::size_t i = 0; i < points; ++i)
+    pslg.points.push_back(kind < 2 ? in.point(2 * kind) : grid_point());
+  for (std::size_t i = 0; i < segments; ++i) {
+    const Pslg::Segment s{byte_below(points), byte_below(points), static_cast<Marker>(i % 3)};
+    const bool crosses = std::any_of(pslg.segments.begin(), pslg.segments.end(),
+                                     [&](const Pslg::Segment& t) { return cross(pslg, s, t); });
+    if (crossing || !crosses) pslg.segments.push_back(s);
+  }
+  if ((seeds & 1) != 0) pslg.holes.push_back(grid_point() + Vec2{0.25, 0.125});
+  if ((seeds & 2) != 0) pslg.regions.push_back({grid_point() + Vec2{0.5, 0.125}, 1.0, 0.25});
+  if ((seeds & 4) != 0) pslg.regions.push_back({grid_point(), 2.0, -1.0});
+  return pslg;
+}
+
+void print(const Pslg& pslg) {
+  std::fprintf(stderr, "Pslg pslg;\npslg.points = {");
+  for (const Point2 p : pslg.points) std::fprintf(stderr, "{%a, %a}, ", p.x, p.y);
+  std::fprintf(stderr, "};\npslg.segments = {");
+  for (const Pslg::Segment& s : pslg.segments)
+    std::fprintf(stderr, "{%zu, %zu, %d}, ", s.from, s.to, s.marker);
+  std::fprintf(stderr, "};\npslg.holes = {");
+  for (const Point2 p : pslg.holes) std::fprintf(stderr, "{%a, %a}, ", p.x, p.y);
+  std::fprintf(stderr, "};\npslg.regions = {");
+  for (const Pslg::Region& r : pslg.regions)
+    std::fprintf(stderr, "{{%a, %a}, %g, %g}, ", r.seed.x, r.seed.y, r.attribute, r.max_area);
+  std::fprintf(stderr, "};\n");
+}
+
+void require(bool holds, const Pslg& pslg, const std::string& words) {
+  if (holds) return;
+  print(pslg);
+  std::fprintf(stderr, "// %s\n", words.c_str());
+  std::abort();
+}
+
+void check(const TriangleMesh& mesh, const Pslg& pslg) {
+  for (const std::optional<std::string>& broken :
+       {mesh::validate(mesh), mesh::validate_embedding(mesh), mesh::validate_delaunay(mesh)})
+    require(!broken, pslg, broken.value_or(""));
+}
+
+Pslg reversed(Pslg pslg) {
+  std::reverse(pslg.points.begin(), pslg.points.end());
+  for (Pslg::Segment& s : pslg.segments)
+    s = {pslg.points.size() - 1 - s.from, pslg.points.size() - 1 - s.to, s.marker};
+  std::reverse(pslg.segments.begin(), pslg.segments.end());
+  return pslg;
+}
+
+void check_triangulation(const Pslg& pslg, bool keep_convex_hull) {
+  const delaunay::Triangulation one = delaunay::triangulate(pslg, {keep_convex_hull, {}});
+  check(one.mesh, pslg);
+  const delaunay::Triangulation other = delaunay::triangulate(reversed(pslg), {keep_convex_hull, {}});
+  require(one.outcome == other.outcome && mesh::fingerprint(one.mesh) == mesh::fingerprint(other.mesh), pslg,
+          "the reversed graph has another triangulation");
+}
+
+void check_refinement(const Pslg& pslg, double min_angle_deg, bool keep_convex_hull) {
+  delaunay::RefineOptions options;
+  options.min_angle_deg = min_angle_deg;
+  options.max_vertices = 400;
+  options.keep_convex_hull = keep_convex_hull;
+  const delaunay::RefinedMesh one = delaunay::mesh_pslg(pslg, options);
+  check(one.mesh, pslg);
+  const delaunay::RefineReport& report = one.report;
+  require(report.outcome != delaunay::RefineOutcome::achieved || report.below_angle + report.above_size == 0,
+          pslg, "achieved, yet bounds are unmet");
+  const delaunay::RefinedMesh other = delaunay::mesh_pslg(reversed(pslg), options);
+  require(mesh::fingerprint(one.mesh) == mesh::fingerprint(other.mesh), pslg,
+          "the reversed graph has another mesh");
+  const delaunay::Triangulation coarse = delaunay::triangulate(pslg, {keep_convex_hull, {}});
+  require(report.rounded_splits > 0 || mesh::exact_area2(coarse.mesh) == mesh::exact_area2(one.mesh), pslg,
+          "refinement changed the area");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzzing::Input in(data, size);
+  const bool keep_convex_hull = in.take<std::uint8_t>() % 2 == 1;
+  const double min_angle_deg = in.take<std::uint8_t>() % 36;
+  const Pslg pslg = graph_from(in);
+  try {
+    check_triangulation(pslg, keep_convex_hull);
+  } catch (const InputError&) {
+    return 0;
+  }
+  try {
+    check_refinement(pslg, min_angle_deg, keep_convex_hull);
+  } catch (const InputError&) {
+  }
+  return 0;
+}
