@@ -18,8 +18,9 @@ struct EigenIterate {
 /// Below this a residual is rounding.
 [[nodiscard]] double residual_floor(const CsrGraph& graph);
 
-/// Davidson's method with the multilevel cycle for preconditioner and thick restart. The subspace starts from three
-/// smoothed random vectors and keeps four Ritz vectors at a restart, so that close eigenvalues do not slow it.
+/// Davidson's method with the multilevel cycle for preconditioner and thick restart. The subspace starts
+/// from three smoothed random vectors and keeps four Ritz vectors at a restart, so that close eigenvalues do
+/// not slow it.
 ///
 /// graph  connected, more than 32 vertices
 [[nodiscard]] EigenIterate davidson(const CsrGraph& graph, const FiedlerOptions& options);

@@ -31,7 +31,8 @@ std::vector<double> component_vector(const Components& parts) {
 EigenIterate dense_solution(const CsrGraph& graph) {
   const std::size_t n = vertex_count(graph);
   const SparseMatrix sparse = laplacian(graph);
-  // The constant vector's eigenvalue is lifted from 0 above all others (Gershgorin), so that lambda_2 comes first.
+  // The constant vector's eigenvalue is lifted from 0 above all others (Gershgorin), so that lambda_2 comes
+  // first.
   double lift = 0;
   for (std::uint32_t v = 0; v < n; ++v) lift = std::max(lift, 3.0 * degree(graph, v));
   std::vector<double> a(n * n, lift / static_cast<double>(n));

@@ -10,8 +10,7 @@
 namespace leonhard::graph {
 
 enum class FiedlerMethod {
-  multilevel,  ///< Davidson's subspace iteration preconditioned by a multilevel cycle: tens of iterations at
-               ///< any size
+  multilevel,  ///< Davidson's method preconditioned by a multilevel cycle: tens of iterations at any size
   lanczos      ///< Lanczos with full reorthogonalisation: some hundreds of iterations and stored vectors
 };
 
@@ -40,12 +39,15 @@ struct [[nodiscard]] Fiedler {
 /// A graph of several components has lambda_2 = 0; the vector returned is then constant on the first
 /// component and constant on all others. Where lambda_2 is a multiple eigenvalue the vector is one of its
 /// eigenvectors, the same for the same graph and seed. The sign is such that the first entry of at least half
-/// the largest size is positive. The residual cannot fall below rounding, about 1e-15 times the largest
-/// degree; the tolerance is taken no smaller. Method, multilevel: Davidson (1975), Morgan and Scott (1986)
-/// with thick restart; preconditioner: smoothed aggregation, Vanek, Mandel and Brezina (1996). Method,
-/// lanczos: Paige (1971), Simon (1984). throws  InputError if the graph has fewer than two vertices or the
-/// tolerance is not positive Cost, multilevel on meshes: O(n + m) memory and a time almost proportional to
-/// it.
+/// the largest size is positive.
+///
+/// A residual below 1e-14 times the largest degree is rounding and counts as converged at any tolerance.
+///
+/// throws  InputError if the graph has fewer than two vertices, or tolerance or iterations are not positive
+/// Method, multilevel: Davidson (1975), Morgan and Scott (1986), with thick restart; preconditioner: smoothed
+/// aggregation, Vanek, Mandel and Brezina (1996).
+/// Method, lanczos: Paige (1971), Simon (1984).
+/// Cost, multilevel on meshes: O(n + m) memory and a time almost proportional to it.
 Fiedler fiedler(const CsrGraph& graph, const FiedlerOptions& options = {});
 
 /// The product of the Laplacian D - A with x, one entry a vertex.

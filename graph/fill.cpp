@@ -64,7 +64,8 @@ std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent) {
   return sequence;
 }
 
-/// Least common ancestors in the tree as it is visited in postorder: each finished vertex joins its parent's set.
+/// Least common ancestors in the tree as it is visited in postorder: each finished vertex joins its parent's
+/// set.
 class AncestorSets {
  public:
   explicit AncestorSets(std::uint32_t n) : up_(n) {
@@ -86,9 +87,9 @@ class AncestorSets {
   std::vector<std::uint32_t> up_;
 };
 
-/// Column counts: row i of L has the pattern of a subtree of the elimination tree with root i. Each subtree adds 1 at
-/// its leaves, takes 1 off where two leaves' paths meet and at the parent of its root; summed up the tree that makes
-/// 1 at each of its vertices, so the sums over all rows are the column counts.
+/// Column counts: row i of L has the pattern of a subtree of the elimination tree with root i. Each subtree
+/// adds 1 at its leaves, takes 1 off where two leaves' paths meet and at the parent of its root; summed up
+/// the tree that makes 1 at each of its vertices, so the sums over all rows are the column counts.
 std::vector<std::uint32_t> column_counts(const CsrGraph& graph, std::span<const std::uint32_t> order,
                                          std::span<const std::uint32_t> new_of_old,
                                          std::span<const std::uint32_t> parent) {

@@ -38,8 +38,8 @@ double smallest_eigenvalue(const Tridiagonal& t) {
   }
 }
 
-/// The eigenvector to the smallest eigenvalue by inverse iteration; the shift lies below all eigenvalues, so that
-/// elimination needs no pivoting.
+/// The eigenvector to the smallest eigenvalue by inverse iteration; the shift lies below all eigenvalues, so
+/// that elimination needs no pivoting.
 std::vector<double> smallest_eigenvector(const Tridiagonal& t, double shift) {
   const std::size_t m = t.diagonal.size();
   const double least_pivot = 1e-16 * *std::ranges::max_element(t.diagonal);

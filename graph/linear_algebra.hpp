@@ -54,11 +54,12 @@ void add_scaled(std::span<double> y, double factor, std::span<const double> x); 
 void scale(std::span<double> x, double factor);
 void remove_mean(std::span<double> x);
 
-/// Uniform in [-1, 1), the same numbers on every platform (the standard's distributions promise no such thing).
+/// Uniform in [-1, 1), the same numbers on every platform (the standard's distributions promise no such
+/// thing).
 [[nodiscard]] std::vector<double> random_vector(std::size_t size, std::mt19937_64& random);
 
-/// Makes x orthogonal to the constant vector and to an orthonormal basis, and of norm 1. Two passes, which is enough
-/// (Kahan; Parlett, The Symmetric Eigenvalue Problem, 6.9).
+/// Makes x orthogonal to the constant vector and to an orthonormal basis, and of norm 1. Two passes, which
+/// is enough (Kahan; Parlett, The Symmetric Eigenvalue Problem, 6.9).
 /// returns false, x undefined, if nothing but rounding was left of x
 [[nodiscard]] bool orthonormalise(std::span<double> x, std::span<const std::vector<double>> basis);
 

@@ -17,8 +17,7 @@ namespace leonhard::graph {
 
 /// An undirected graph in compressed sparse rows, as Boost.Graph knows it: every edge is stored in both
 /// directions, each row ascending, without self-loops or parallel edges. Vertices are 0 ... n-1; both vertex
-/// and directed-edge indices are 32-bit. Every Boost.Graph algorithm that takes a directed CSR graph takes
-/// it.
+/// and directed-edge indices are 32-bit. Boost.Graph's algorithms for directed CSR graphs take it as it is.
 using CsrGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                                     boost::no_property, std::uint32_t, std::uint32_t>;
 
@@ -79,8 +78,8 @@ struct Components {
 /// Cost O(n + m).
 [[nodiscard]] Components components(const CsrGraph& graph);
 
-/// Cuts subgraphs out of one graph. Keeps scratch space of one number a vertex, so that many small subgraphs cost no
-/// more than their own size; one thread at a time.
+/// Cuts subgraphs out of one graph. Keeps scratch space of one number a vertex, so that many small subgraphs
+/// cost no more than their own size; one thread at a time.
 class SubgraphExtractor {
  public:
   /// graph  must outlive the extractor
@@ -100,8 +99,10 @@ class SubgraphExtractor {
   std::vector<std::uint32_t> new_of_old_;  ///< per vertex its number in the subgraph being cut, or none
 };
 
-/// The first broken promise of CsrGraph in words (range, order of a row, self-loop, missing reverse edge), or
-/// none. Cost O(n + m log d).
+/// The first broken promise of CsrGraph in words (range, order of a row, self-loop, missing reverse edge), if
+/// any.
+///
+/// Cost O(n + m log d).
 [[nodiscard]] std::optional<std::string> validate(const CsrGraph& graph);
 
 }  // namespace leonhard::graph

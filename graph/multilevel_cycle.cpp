@@ -42,8 +42,8 @@ struct Aggregates {
   std::uint32_t count{};
 };
 
-/// Three passes: whole untouched neighbourhoods; the left-over next to an aggregate joins it; the rest together with
-/// what is left around it.
+/// Three passes: whole untouched neighbourhoods; the left-over next to an aggregate joins it; the rest
+/// together with what is left around it.
 Aggregates aggregate(const SparseMatrix& a) {
   const SparseMatrix strong = strong_part(a);
   const std::uint32_t n = a.rows();

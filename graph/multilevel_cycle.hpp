@@ -13,15 +13,17 @@ namespace leonhard::graph::detail {
 /// One multilevel V-cycle as an approximate inverse of the Laplacian of a connected graph, symmetric positive
 /// definite on the complement of the constant vector; not for callers outside this room.
 ///
-/// Levels: vertices are grouped with their neighbours into aggregates, the aggregates' indicator vectors are smoothed
-/// by one damped Jacobi step into the columns of a prolongation P, and the next matrix is P^T A P, until it is small
-/// enough for a dense factor. P maps the constant vector to the constant vector, so every level's matrix has it as
-/// its kernel. Smoother: one Gauss-Seidel sweep forwards before, one backwards after the coarse correction.
+/// Levels: vertices are grouped with their neighbours into aggregates, the aggregates' indicator vectors are
+/// smoothed by one damped Jacobi step into the columns of a prolongation P, and the next matrix is P^T A P,
+/// until it is small enough for a dense factor. P maps the constant vector to the constant vector, so every
+/// level's matrix has it as its kernel. Smoother: one Gauss-Seidel sweep forwards before, one backwards
+/// after the coarse correction.
 /// Method: Vanek, Mandel and Brezina, Computing 56 (1996) 179-196.
 /// Cost O(m) to build and to apply for graphs of bounded degree.
 class MultilevelCycle {
  public:
-  /// stop  checked between levels; after a stop request the hierarchy is cut short, which is still a valid cycle
+  /// stop  checked between levels; after a stop request the hierarchy is cut short, which is still a valid
+  /// cycle
   explicit MultilevelCycle(const CsrGraph& graph, const std::stop_token& stop = {});
 
   /// z := approximate solution of L z = r

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Breadth-first level structures from many roots with one mark array: marks are compared with a stamp, so a new
-/// search needs no clearing.
+/// Breadth-first level structures from many roots with one mark array: marks are compared with a stamp, so a
+/// new search needs no clearing.
 class LevelSearch {
  public:
   explicit LevelSearch(const CsrGraph& graph) : graph_(graph), stamp_(vertex_count(graph), 0) {}

@@ -9,25 +9,27 @@
 
 namespace leonhard::graph {
 
-// An ordering is a permutation `order` with order[new] = old: the sequence in which the old numbers are
-// visited.
+// An ordering is a permutation `order` with order[new] = old: the sequence in which old numbers are visited.
 
 /// A vertex at (nearly) the greatest distance from some other, for a level structure that is deep and narrow.
 ///
 /// start   any vertex; the search stays in its component
+/// throws  InputError if start is no vertex
+/// Cost O(m) a level structure, usually 3 to 5 of them.
 /// Method: George and Liu, "An implementation of a pseudoperipheral node finder", ACM TOMS 5 (1979) 284-295:
 /// go to a vertex of least degree in the last level as long as that deepens the level structure. Ties:
-/// smallest index. throws  InputError if start is no vertex Cost O(m) a level structure, usually 3 to 5 of
-/// them.
+/// smallest index.
 [[nodiscard]] std::uint32_t pseudo_peripheral_vertex(const CsrGraph& graph, std::uint32_t start);
 
 /// The reverse Cuthill-McKee ordering: small bandwidth and profile for a banded or incomplete factorisation.
 ///
-/// Each component is visited breadth first from a pseudo-peripheral vertex (searched from a vertex of least degree),
-/// neighbours by increasing degree,
-/// ties by index; then the whole sequence is reversed. Components follow one another by smallest vertex
-/// before reversal. returns order[new] = old Method: Cuthill and McKee (1969); George (1971) for the
-/// reversal; Barth's notes 2.2. Cost O(n + m log d).
+/// Each component is visited breadth first from a pseudo-peripheral vertex (searched from a vertex of least
+/// degree), neighbours by increasing degree, ties by index; then the whole sequence is reversed. Components
+/// follow one another by smallest vertex before reversal.
+///
+/// returns order[new] = old
+/// Cost O(n + m log d), d the largest degree.
+/// Method: Cuthill and McKee (1969); George (1971) for the reversal; Barth's notes 2.2.
 [[nodiscard]] std::vector<std::uint32_t> reverse_cuthill_mckee(const CsrGraph& graph);
 
 /// The inverse permutation: new_of_old[order[i]] = i.

@@ -13,8 +13,8 @@ namespace {
 
 using Indices = std::span<std::uint32_t>;
 
-/// Parts [first, first + count) and how many vertices they take together. Part k of n vertices among `all` parts takes
-/// floor(n / all) of them, the first n mod all parts one more.
+/// Parts [first, first + count) and how many vertices they take together. Part k of n vertices among `all`
+/// parts takes floor(n / all) of them, the first n mod all parts one more.
 struct PartRange {
   std::uint32_t first, count;
   std::uint32_t all;
@@ -97,7 +97,8 @@ class SpectralArrangement {
     for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = keyed[i].second;
   }
 
-  /// Largest component first, each whole to the side that has room; one that fits neither side fills up the front.
+  /// Largest component first, each whole to the side that has room; one that fits neither side fills up the
+  /// front.
   void deal_components(const Components& pieces, Indices vertices, std::size_t in_front) {
     std::vector<std::vector<std::uint32_t>> members(pieces.count());
     for (std::size_t i = 0; i < vertices.size(); ++i) members[pieces.component_of[i]].push_back(vertices[i]);

@@ -30,14 +30,17 @@ struct [[nodiscard]] Partition {
 ///
 /// Parts differ by at most one point for any number of parts (k parts split as floor(k/2) and the rest,
 /// points in proportion). Points are ordered along the longer side, ties by the other coordinate, then by
-/// index; a square box is split along x. The first parts hold the smaller coordinates. throws  InputError if
-/// parts is 0 or a point is not finite Cost O(n log(parts)) expected. Barth's notes 2.3.
+/// index; a square box is split along x. The first parts hold the smaller coordinates.
+///
+/// throws  InputError if parts is 0 or a point is not finite
+/// Cost O(n log(parts)) expected. Barth's notes 2.3.
 Partition recursive_coordinate_bisection(std::span<const Point2> points, std::uint32_t parts);
 
 /// Recursive spectral bisection: halve the graph at the median of its Fiedler vector.
 ///
 /// Parts differ by at most one vertex for any number of parts, as above. Where a piece is not connected its
 /// components are dealt out whole, the largest first, and at most one of them is split.
+///
 /// seed      of the eigensolver's start; the same graph and seed give the same partition
 /// progress  stage "spectral bisection"
 /// throws    InputError if parts is 0
@@ -61,16 +64,15 @@ struct PartitionCost {
 
   std::vector<std::uint32_t> sizes;       ///< vertices
   std::vector<std::uint32_t> components;  ///< connected pieces; 0 for an empty part, 1 is what one hopes for
-  std::vector<std::uint32_t>
-      neighbours;                   ///< parts it shares cut edges with: degree in the communication graph
-  std::vector<std::uint32_t> halo;  ///< vertices of other parts next to it: values received an exchange
+  std::vector<std::uint32_t> neighbours;  ///< parts it shares cut edges with: communication graph degree
+  std::vector<std::uint32_t> halo;        ///< vertices of other parts next to it: values it receives
 
   std::uint32_t max_components{}, max_neighbours{}, max_halo{};
   std::size_t total_halo{};  ///< sum of the halos: the communication volume
 };
 
 /// throws  InputError if the partition has not one entry a vertex, has 0 parts, or names a part out of range
-/// Cost O(n + m + parts).
+/// Cost O(n + m + parts), and a sort of the cut edges.
 [[nodiscard]] PartitionCost partition_cost(const CsrGraph& graph, const Partition& partition);
 
 }  // namespace leonhard::graph

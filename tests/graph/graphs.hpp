@@ -77,8 +77,8 @@ inline CsrGraph renamed(const CsrGraph& graph, const std::vector<std::uint32_t>&
   return graph_from_edges(vertex_count(graph), edges).graph;
 }
 
-/// A rectangle of width times height squares, each cut by one of its diagonals at random, inner vertices moved a
-/// little at random: any planar degree from 3 to 8 occurs.
+/// A rectangle of width times height squares, each cut by one of its diagonals at random, inner vertices
+/// moved a little at random: inner degrees are 4 to 8.
 inline TriangleMesh random_triangulation(std::uint32_t width, std::uint32_t height, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto jitter = [&] { return 0.2 * (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5); };
