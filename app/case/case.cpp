@@ -54,7 +54,8 @@ void read_shape(SectionReader& reader, BodyCase& body, bool listing) {
   body.naca = reader.text("naca", "", "none");
   body.trailing_edge = reader.choice("trailing_edge", std::optional(body.trailing_edge),
                                      SectionReader::Words<TrailingEdge>(trailing_edge_words));
-  body.corner_angle_deg = reader.number("corner_angle_deg", body.corner_angle_deg, {0, 180, true, true});
+  body.corner_angle_deg =
+      reader.optional_number("corner_angle_deg", {0, 180, true, true}, "40, at the nose 120");
   if (listing) return;
   if (reader.has("file") == reader.has("naca"))
     throw InputError(

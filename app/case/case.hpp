@@ -27,11 +27,11 @@ struct BodyCase {
   std::filesystem::path file;  ///< airfoil coordinates; empty for a NACA section
   std::string naca;            ///< four digits; empty for a file
   TrailingEdge trailing_edge = TrailingEdge::sharp;  ///< NACA sections only
-  double corner_angle_deg = 40;  ///< files only: the outline keeps a corner where it turns by more than this
-  double scale = 1;              ///< first step of the placement, about the origin
-  double rotation_deg = 0;       ///< second step, counter-clockwise about the origin
-  Vec2 translation;              ///< third step
-  double spacing = 0.01;         ///< target edge length on the body, chords
+  std::optional<double> corner_angle_deg;  ///< files only: where the outline turns by more it keeps a corner
+  double scale = 1;                        ///< first step of the placement, about the origin
+  double rotation_deg = 0;                 ///< second step, counter-clockwise about the origin
+  Vec2 translation;                        ///< third step
+  double spacing = 0.01;                   ///< target edge length on the body, chords
   double leading_edge_spacing = 0.01 / 3;  ///< at the leading edge, chords; default spacing / 3
   double trailing_edge_spacing =
       0.01 / 3;       ///< at the trailing edge and other corners, chords; default spacing / 3

@@ -13,6 +13,7 @@ namespace leonhard::app {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+constexpr double usual_corner_deg = 40;
 constexpr double nose_corner_deg = 120;
 
 /// Solve the tridiagonal system below[i] x[i-1] + on[i] x[i] + above[i] x[i+1] = right[i] by elimination without pivots:
@@ -114,7 +115,7 @@ std::size_t farthest_from(const std::vector<Point2>& points, Point2 from) {
 }  // namespace
 
 OutlineCurve spline_outline(const std::vector<Point2>& points, bool blunt_trailing_edge,
-                            double corner_angle_deg) {
+                            std::optional<double> corner_angle_deg) {
   assert(points.size() >= 4);
   const std::size_t n = points.size();
   OutlineCurve curve;
@@ -126,7 +127,7 @@ OutlineCurve spline_outline(const std::vector<Point2>& points, bool blunt_traili
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < n; ++i) {
     const bool base_end = blunt_trailing_edge && (i == 0 || i == n - 1);
-    const double limit = i == nose ? std::max(corner_angle_deg, nose_corner_deg) : corner_angle_deg;
+    const double limit = corner_angle_deg.value_or(i == nose ? nose_corner_deg : usual_corner_deg);
     if (base_end || turn_deg(points, i) > limit) corners.push_back(i);
   }
   curve.smooth_start = corners.empty();

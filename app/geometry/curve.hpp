@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,14 +30,14 @@ struct OutlineCurve {
 ///
 /// A point where the polygon turns by more than corner_angle_deg is a corner and stays one: pieces between
 /// corners are separate cubic splines over chord length (second derivative constant in the end intervals,
-/// periodic if there is no corner at all). The leading edge (the point farthest from the trailing edge) is
-/// taken for a corner only from 120 degrees on: coarse files turn by more than 40 degrees there although the
+/// periodic if there is no corner at all). Without an angle given it is 40 degrees, but 120 at the leading edge
+/// (the point farthest from the trailing edge): coarse files turn by more than 40 degrees there although the
 /// nose is round. The blunt trailing edge, from the last point to the first, is a straight piece of its own.
 ///
 /// points  at least 4, no two neighbours equal (see check_outline)
 /// Cost O(points).
 [[nodiscard]] OutlineCurve spline_outline(const std::vector<Point2>& points, bool blunt_trailing_edge,
-                                          double corner_angle_deg);
+                                          std::optional<double> corner_angle_deg);
 
 /// The largest distance between two of the points, from the trailing edge: the chord.
 [[nodiscard]] double chord_length(const OutlineCurve&);

@@ -12,7 +12,7 @@ struct OutlineSpacing {
   double elsewhere = 0.01;
   double leading_edge = 0.01 / 3;
   double trailing_edge = 0.01 / 3;  ///< at the trailing edge and every other corner
-  double growth = 0.15;             ///< from one edge to the next at most by this fraction, about
+  double growth = 0.14;             ///< from one edge to the next at most by this fraction, about
   double turn_deg = 5;              ///< from one edge to the next the direction turns by at most this, about
 };
 
