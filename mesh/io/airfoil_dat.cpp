@@ -42,7 +42,8 @@ struct RawCurve {
   }
 };
 
-/// Whether the first line is data: two words of which the first is a number with a decimal point, or both are numbers
+/// Whether the first line is data: two words of which the first is a number with a decimal point, or both are
+/// numbers
 /// ("0.98 O.01" is a mistyped point, "0012 section" a name).
 bool looks_like_point(TextScanner scan) {
   const std::string_view first = scan.word("a name or x and y");
@@ -73,8 +74,8 @@ RawCurve read_points(std::string_view text, const std::string& source) {
   return curve;
 }
 
-/// Lednicer's format begins with the numbers of points of the upper and lower side, both of which run from the leading
-/// to the trailing edge. Turns it into Selig's order; leaves a curve in Selig's order alone.
+/// Lednicer's format begins with the numbers of points of the upper and lower side, both of which run from
+/// the leading to the trailing edge. Turns it into Selig's order; leaves a curve in Selig's order alone.
 void undo_lednicer_order(RawCurve& curve) {
   const Point2 counts = curve.points.front().at;
   const auto is_count = [](double value) { return value > 1.5 && value < 1e9 && value == std::floor(value); };
@@ -121,8 +122,8 @@ std::size_t farthest_from(Point2 p, const std::vector<LocatedPoint>& points) {
 
 /// Where a curve begins, seen from its other end.
 struct Ends {
-  Point2 start;  ///< middle of the first and last point
-  double chord;
+  Point2 start;           ///< middle of the first and last point
+  double chord;           ///< extent of the section, seen from the point farthest from start
   bool at_trailing_edge;  ///< the start is an end of the section, the one of larger x
 };
 
@@ -131,11 +132,10 @@ Ends find_ends(const RawCurve& curve) {
   Ends ends;
   ends.start = {first.x / 2 + last.x / 2, first.y / 2 + last.y / 2};
   const Point2 other_end = curve.points[farthest_from(ends.start, curve.points)].at;
-  ends.chord = distance(ends.start, other_end);
-  const double extent = distance(other_end, curve.points[farthest_from(other_end, curve.points)].at);
-  if (!std::isfinite(extent))
+  ends.chord = distance(other_end, curve.points[farthest_from(other_end, curve.points)].at);
+  if (!std::isfinite(ends.chord))
     curve.fail(0, "the section is larger than the range of double", "scale it down");
-  ends.at_trailing_edge = ends.chord >= 0.9 * extent && ends.start.x >= other_end.x;
+  ends.at_trailing_edge = distance(ends.start, other_end) >= 0.9 * ends.chord && ends.start.x >= other_end.x;
   return ends;
 }
 
@@ -217,7 +217,8 @@ bool begin_at_trailing_edge(std::vector<Point2>& loop, std::size_t trailing_edge
   return blunt;
 }
 
-/// Index of the trailing edge of a closed loop that may begin anywhere: the end of larger x of its longest extent.
+/// Index of the trailing edge of a closed loop that may begin anywhere: the end of larger x of its longest
+/// extent.
 std::size_t trailing_edge_of(const RawCurve& curve, const Ends& ends) {
   if (ends.at_trailing_edge) return 0;
   const std::size_t one_end = farthest_from(ends.start, curve.points);

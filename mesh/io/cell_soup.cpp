@@ -69,8 +69,8 @@ void check_ids(const CellSoup& soup) {
                                             std::to_string(soup.points.size() - 1));
 }
 
-/// The two triangles of a quadrilateral whose corners run counter-clockwise; none if no diagonal gives two positive
-/// ones. A convex quadrilateral takes the Delaunay diagonal.
+/// The two triangles of a quadrilateral whose corners run counter-clockwise; none if no diagonal gives two
+/// positive ones. A convex quadrilateral takes the Delaunay diagonal.
 std::optional<SplitQuadrilateral> split(const PerId<VertexId, Point2>& points,
                                         const std::array<VertexId, 4>& q) {
   const auto positive = [&](const Corners& t) {
@@ -102,7 +102,8 @@ struct CellKind {
   std::size_t count = 0, clockwise = 0;
 };
 
-/// Names the first clockwise cells among counter-clockwise ones of a kind, or the other way round if these are fewer.
+/// Names the first clockwise cells among counter-clockwise ones of a kind, or the other way round if these
+/// are fewer.
 [[noreturn]] void refuse_mixture(const CellSoup& soup, const CellKind& kind) {
   const bool minority_is_clockwise = 2 * kind.clockwise <= kind.count;
   const std::size_t count = minority_is_clockwise ? kind.clockwise : kind.count - kind.clockwise;
@@ -123,8 +124,8 @@ struct CellKind {
                    "a corner or a coordinate of these cells is wrong, or the mesh is tangled there");
 }
 
-/// All cells counter-clockwise, or an error. Turning a whole kind over is safe, since cells that then overlap are
-/// found by validate_embedding.
+/// All cells counter-clockwise, or an error. Turning a whole kind over is safe, since cells that then overlap
+/// are found by validate_embedding.
 void orient_cells(CellSoup& soup, std::vector<std::string>& warnings) {
   std::array<CellKind, 2> kinds{{{3, "triangles"}, {4, "quadrilaterals"}}};
   for (std::size_t c = 0; c < soup.cells.size(); ++c) {

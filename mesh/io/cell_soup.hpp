@@ -39,13 +39,13 @@ enum class EdgeRule {
 
 /// Make the mesh that a file states, or say why it is none.
 ///
-/// Triangles that are all clockwise are turned over, and so are quadrilaterals; quadrilaterals are split along their Delaunay diagonal (exact, ties
-/// by kernel::incircle_perturbed), where that gives two positive triangles, else along the other. Under
-/// fill_in_the_boundary an unlisted boundary edge gets the marker its two ends share if it is not 0, else 1. The
-/// warnings tell each of these.
+/// Triangles that are all clockwise are turned over, and so are quadrilaterals; quadrilaterals are split
+/// along their Delaunay diagonal (exact, ties by kernel::incircle_perturbed), where that gives two positive
+/// triangles, else along the other. Under fill_in_the_boundary an unlisted boundary edge gets the marker its
+/// two ends share if it is not 0, else 1. The warnings tell each of these.
 ///
-/// throws InputError naming line, ids and coordinates: id out of range, a cell of zero area or tangled, cells of
-/// unlike orientation, and all that make_triangle_mesh, validate and validate_embedding refuse
+/// throws InputError naming line, ids and coordinates: id out of range, a cell of zero area or tangled, cells
+/// of unlike orientation, and all that make_triangle_mesh, validate and validate_embedding refuse
 /// Cost O(cells + boundary log boundary).
 [[nodiscard]] MeshFile assemble(CellSoup soup, EdgeRule rule);
 

@@ -6,7 +6,8 @@
 
 namespace leonhard::io {
 
-/// Append a number to a text: integers in decimal, doubles as the shortest decimal that reads back as the same bits.
+/// Append a number to a text: integers in decimal, doubles as the shortest decimal that reads back as the
+/// same bits.
 template <class Number>
 void append_number(std::string& text, Number value) {
   char digits[32];

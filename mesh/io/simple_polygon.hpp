@@ -10,8 +10,9 @@
 
 namespace leonhard::io {
 
-/// Two edges of a closed polygon (edge i runs from point i to the next, the last to the first) that cross, touch or
-/// overlap, or that are neighbours and fold back onto each other; the smaller index first. None: the polygon is simple.
+/// Two edges of a closed polygon (edge i runs from point i to the next, the last to the first) that cross,
+/// touch or overlap, or that are neighbours and fold back onto each other; the smaller index first. None: the
+/// polygon is simple.
 ///
 /// Decided by exact orient2d and comparisons. At least 3 points, no two consecutive ones equal.
 /// Cost O(n log n) for curves of which a vertical line cuts few edges, as those of airfoils; O(n^2) at worst.

@@ -22,7 +22,7 @@ namespace {
 constexpr std::int64_t line_type = 3, triangle_type = 5, quadrilateral_type = 9;
 
 /// Bytes that the shortest possible entry of a section takes, line break included.
-constexpr std::size_t shortest_cell = 8, shortest_point = 4, shortest_marker = 26, shortest_edge = 6;
+constexpr std::size_t shortest_cell = 8, shortest_point = 4, shortest_edge = 6;
 
 std::string unnamed_tag(Marker marker) { return "marker_" + std::to_string(marker); }
 
@@ -82,11 +82,12 @@ class Su2Parser {
 
   /// The next line of a section, which must not be the next section already.
   void need_entry(const char* entry, std::size_t index, std::size_t count) {
-    scan_.need_line(entry);
-    if (scan_.at_key())
-      scan_.fail("found the keyword " + in_quotes(scan_.rest()) + " where " + entry + " " +
-                     std::to_string(index + 1) + " of " + std::to_string(count) + " was expected",
-                 "correct the count, or add what is missing");
+    const bool ended = !scan_.next_line();
+    if (ended || scan_.at_key())
+      scan_.fail((ended ? std::string("the file ends") : "found the keyword " + in_quotes(scan_.rest())) +
+                     " where " + entry + " " + std::to_string(index + 1) + " of " + std::to_string(count) +
+                     " was expected",
+                 "the file was cut short, or the count is too large");
   }
 
   VertexId read_vertex(const char* expected) {
@@ -97,7 +98,8 @@ class Su2Parser {
     return VertexId::from(static_cast<std::size_t>(id));
   }
 
-  /// The number at the end of an entry says nothing, since entries are taken in their order; but it should agree.
+  /// The number at the end of an entry says nothing, since entries are taken in their order; but it should
+  /// agree.
   void compare_number(const char* entry, std::size_t index, std::int64_t number) {
     if (number == static_cast<std::int64_t>(index) || number_warned_) return;
     number_warned_ = true;
@@ -106,8 +108,8 @@ class Su2Parser {
                         "; entries are numbered in the file's order, from 0");
   }
 
-  /// A point may end with its number, or with its numbers in a part and in the whole mesh (or a z of 0 and its number):
-  /// two numbers have no one meaning, so only one is looked at.
+  /// A point may end with its number, or with its numbers in a part and in the whole mesh (or a z of 0 and
+  /// its number): two numbers have no one meaning, so only one is looked at.
   void read_point_numbers(std::size_t index) {
     if (scan_.line_done()) return;
     const std::int64_t number = scan_.integer("the point's number");
@@ -156,7 +158,7 @@ class Su2Parser {
   }
 
   void read_marker_count() {
-    marker_count_ = scan_.count("the number of markers", shortest_marker);
+    marker_count_ = scan_.count("the number of markers", 1);
     scan_.expect_line_end("NMARK=");
   }
 
@@ -207,8 +209,8 @@ class Su2Parser {
           tags_.size() < marker_count_ ? "the file was cut short, or correct NMARK=" : "correct NMARK=");
   }
 
-  /// Markers are numbered 1, 2, ... in the file's order while it is read. If the notes name every tag, their numbers
-  /// take over.
+  /// Markers are numbered 1, 2, ... in the file's order while it is read. If the notes name every tag, their
+  /// numbers take over.
   void number_markers() {
     std::vector<Marker> number_of_tag(tags_.size());
     for (std::size_t i = 0; i < tags_.size(); ++i) {

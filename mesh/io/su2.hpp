@@ -15,12 +15,13 @@ namespace leonhard::io {
 ///
 /// Ids are the file's 0-based ones. Markers get the numbers 1, 2, ... in the file's order (or those that
 /// write_su2 noted in a leading comment). A quadrilateral is split along its Delaunay diagonal, so triangle
-/// ids then differ from cell numbers; triangles that are all clockwise, and likewise quadrilaterals, are turned over; both are told in
-/// the warnings.
+/// ids then differ from cell numbers; triangles that are all clockwise, and likewise quadrilaterals, are
+/// turned over; both are told in the warnings.
 ///
 /// throws InputError: 3-D file, unknown cell type, id out of range, zero-area, inverted or overlapping cells,
 /// boundary edges without marker (a missing cell), marked edges that are not on the boundary, two markers of
-/// one name, NaN, file cut short Cost O(file size + cells log cells).
+/// one name, NaN, file cut short
+/// Cost O(file size + cells log cells).
 [[nodiscard]] MeshFile read_su2(const std::filesystem::path& path);
 
 /// The same from text in memory; source names it in errors.

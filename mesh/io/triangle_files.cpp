@@ -189,7 +189,8 @@ void read_triangles(TextScanner& scan, const VertexTable& vertices, CellSoup& so
   expect_end(scan, "the last triangle");
 }
 
-/// The marked edges of STEM.poly, or of STEM.edge; those of a .poly with points of its own are not the mesh's.
+/// The marked edges of STEM.poly, or of STEM.edge; those of a .poly with points of its own are not the
+/// mesh's.
 void read_marked_edges(const TriangleFileTexts& texts, const std::string& source, const VertexTable& vertices,
                        CellSoup& soup, std::vector<std::string>& warnings) {
   std::vector<Pslg::Segment> segments;

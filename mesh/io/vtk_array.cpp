@@ -41,8 +41,8 @@ int base64_value(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Hands out the bytes of an array in order, decoded from base64 or as they are. VTK pads base64 at the end of a
-/// header and goes on; decoding four characters at a time passes over that.
+/// Hands out the bytes of an array in order, decoded from base64 or as they are. VTK pads base64 at the end
+/// of a header and goes on; decoding four characters at a time passes over that.
 class ByteStream {
  public:
   ByteStream(const XmlElement& array, const VtkEncoding& encoding, std::string_view text, bool base64)

@@ -29,7 +29,8 @@ struct VtkEncoding {
 /// The numbers of a <DataArray>, any of VTK's number types in ascii, base64 or appended form.
 ///
 /// count  how many numbers there must be, or nothing if the file alone says
-/// throws InputError naming the array's line: no number, cut short, sizes that contradict each other, broken base64 or
+/// throws InputError naming the array's line: no number, cut short, sizes that contradict each other, broken
+/// base64 or
 ///        compressed data; floating-point numbers where integers are asked for
 [[nodiscard]] std::vector<double> read_doubles(const XmlElement& array, const VtkEncoding& encoding,
                                                std::optional<std::size_t> count);

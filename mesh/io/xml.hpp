@@ -24,9 +24,10 @@ struct XmlElement {
   [[nodiscard]] std::string attribute(std::string_view wanted, std::string_view otherwise = {}) const;
 };
 
-/// The root element of the subset of XML that VTK writes: elements, attributes, text, comments and declarations, no
-/// DTD, no CDATA. An element named opaque (its bytes may be anything) has all bytes up to its last end tag as text.
-/// throws InputError with the line of what is not well-formed, and for elements nested deeper than 32
+/// The root element of the subset of XML that VTK writes: elements, attributes, text, comments and
+/// declarations, no DTD, no CDATA. An element named opaque (its bytes may be anything) has all bytes up to
+/// its last end tag as text. throws InputError with the line of what is not well-formed, and for elements
+/// nested deeper than 32
 [[nodiscard]] XmlElement parse_xml(std::string_view document, const std::string& source,
                                    std::string_view opaque);
 
