@@ -302,26 +302,19 @@ void Canvas::end_clip() { cairo_restore(cairo_->current()); }
 
 void Canvas::begin_raster(const Rect& r) {
   if (!vector_) return;
-  const double dots = dots_per_pixel_;
   cairo_->layer_rect = r;
-  cairo_->layer_surface =
-      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(std::ceil(r.width * dots)),
-                                 static_cast<int>(std::ceil(r.height * dots)));
+  cairo_->layer_surface = cairo_image_surface_create(
+      CAIRO_FORMAT_ARGB32, static_cast<int>(std::ceil(r.width)), static_cast<int>(std::ceil(r.height)));
   cairo_->layer = cairo_create(cairo_->layer_surface);
   prepare(cairo_->layer);
-  cairo_scale(cairo_->layer, dots, dots);
   cairo_translate(cairo_->layer, -r.left, -r.top);
 }
 
 void Canvas::end_raster() {
   if (cairo_->layer == nullptr) return;
   cairo_t* page = cairo_->page;
-  cairo_save(page);
-  cairo_translate(page, cairo_->layer_rect.left, cairo_->layer_rect.top);
-  cairo_scale(page, 1 / dots_per_pixel_, 1 / dots_per_pixel_);
-  cairo_set_source_surface(page, cairo_->layer_surface, 0, 0);
+  cairo_set_source_surface(page, cairo_->layer_surface, cairo_->layer_rect.left, cairo_->layer_rect.top);
   cairo_paint(page);
-  cairo_restore(page);
   cairo_->drop_layer();
 }
 

@@ -86,7 +86,8 @@ class Canvas {
   void begin_clip(const Rect& r);
   void end_clip();
 
-  /// What is drawn between the two is embedded as an image in vector formats; without effect on PNG.
+  /// What is drawn between the two is embedded as an image in vector formats, at a pixel's resolution: at more,
+  /// lines in an image take more space than as vectors. Without effect on PNG.
   void begin_raster(const Rect& r);
   void end_raster();
 

@@ -5,6 +5,7 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/draw/contours.hpp"
+#include "leonhard/mesh/draw/field_layout.hpp"
 #include "leonhard/mesh/draw/index_raster.hpp"
 #include "leonhard/mesh/draw/levels.hpp"
 #include "leonhard/mesh/draw/line_writer.hpp"
@@ -121,25 +122,28 @@ void stroke_contours(Canvas& canvas, const MeshScene& scene, std::span<const dou
 
 }  // namespace
 
+FieldLayout lay_out_field(Canvas& canvas, const TriangleMesh& mesh, std::span<const double> values,
+                          const FieldOptions& options) {
+  const Box region = region_of(mesh, options.view);
+  const AxesText text{options.title, options.x_label, options.y_label};
+  Rect outer{0, 0, canvas.width(), canvas.height()};
+  const MeshScene wide(mesh, fit_map(canvas, outer, region, text));
+  const double room = colour_bar_room(canvas, make_bands(seen(wide, values), options), options.value_label);
+  outer.width -= room - canvas.text_size();
+  const PlotFrame frame = fit_map(canvas, outer, region, text);
+  const Rect bar{frame.area.right() + 0.5 * canvas.text_size(), frame.area.top, room, frame.area.height};
+  return {frame, bar, make_bands(seen(MeshScene(mesh, frame), values), options)};
+}
+
 void draw_field(const std::filesystem::path& path, const TriangleMesh& mesh,
                 std::span<const double> vertex_values, const FieldOptions& options) {
   check_field(mesh, vertex_values, options);
-  const Box region = region_of(mesh, options.view);
   Canvas canvas(path, options.size);
-  const AxesText text{options.title, options.x_label, options.y_label};
-
-  // The bar's width depends on its labels, these on the values in view, that on the frame beside the bar.
-  Rect outer{0, 0, canvas.width(), canvas.height()};
-  PlotFrame frame = fit_map(canvas, outer, region, text);
-  Bands bands = make_bands(seen(MeshScene(mesh, frame), vertex_values), options);
-  const double room = colour_bar_room(canvas, bands, options.value_label);
-  outer.width -= room - canvas.text_size();
-  frame = fit_map(canvas, outer, region, text);
+  const auto [frame, bar, bands] = lay_out_field(canvas, mesh, vertex_values, options);
   const MeshScene scene(mesh, frame);
-  bands = make_bands(seen(scene, vertex_values), options);
 
   fill_bodies(canvas, scene);
-  if (canvas.is_vector() && !scene.is_large()) {
+  if (canvas.is_vector() && !scene.is_large_for_areas()) {
     fill_bands_as_paths(canvas, scene, vertex_values, bands);
   } else {
     fill_bands_as_image(canvas, scene, vertex_values, bands);
@@ -147,10 +151,8 @@ void draw_field(const std::filesystem::path& path, const TriangleMesh& mesh,
   if (options.show_mesh) stroke_edges(canvas, scene, {0.2, 0.2, 0.25}, 0.5);
   if (options.contour_lines) stroke_contours(canvas, scene, vertex_values, bands);
   stroke_boundary(canvas, scene, 1.8, [](Marker) { return ink; });
-  draw_axes(canvas, frame, text);
-  draw_colour_bar(canvas,
-                  {frame.area.right() + 0.5 * canvas.text_size(), frame.area.top, room, frame.area.height},
-                  bands, options.value_label);
+  draw_axes(canvas, frame, {options.title, options.x_label, options.y_label});
+  draw_colour_bar(canvas, bar, bands, options.value_label);
   canvas.save();
 }
 

@@ -12,9 +12,10 @@
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 /// Pictures of meshes. The file's extension gives the format: .png, .svg or .pdf, one code for all. What lies
-/// outside the mesh but inside a closed boundary (a body) is light grey. SVG and PDF hold lines and bands as
-/// vectors up to 20,000 triangles in view; beyond that triangles are embedded as an image, text and boundaries
-/// staying vectors. Same arguments, same file, byte for byte.
+/// outside the mesh but inside a closed boundary (a body) is light grey. SVG and PDF hold areas as
+/// vectors up to 20,000 triangles in view and mesh lines up to 60,000; beyond that they are embedded as an image,
+/// which keeps the file small, while text, axes, boundaries and contour lines stay vectors. Same arguments, same
+/// file, byte for byte.
 ///
 /// All throw, before the file is touched: InputError for another extension, a picture size or view out of range,
 /// a mesh without triangles, values that do not fit the mesh; and OutputError, naming the path, if the file

@@ -107,7 +107,7 @@ void fill_shares(Canvas& canvas, const PartScene& parts, std::span<const Colour>
                  std::span<const std::size_t> colour_of) {
   const MeshScene& scene = parts.scene;
   const Rect& area = scene.frame().area;
-  const bool as_image = !canvas.is_vector() || scene.is_large();
+  const bool as_image = !canvas.is_vector() || scene.is_large_for_areas();
   IndexRaster raster(as_image ? area : Rect{0, 0, 1, 1}, canvas.dots_per_pixel());
   std::vector<std::vector<std::array<Point2, 4>>> of_colour(colours.size());
   for (const TriangleId t : scene.visible()) {

@@ -182,7 +182,7 @@ void fill_bodies(Canvas& canvas, const MeshScene& scene) {
 void fill_triangles(Canvas& canvas, const MeshScene& scene, std::span<const Colour> colours,
                     const std::function<std::size_t(TriangleId)>& index_of) {
   const Rect& area = scene.frame().area;
-  if (!canvas.is_vector() || scene.is_large()) {
+  if (!canvas.is_vector() || scene.is_large_for_areas()) {
     IndexRaster raster(area, canvas.dots_per_pixel());
     for (const TriangleId t : scene.visible()) {
       raster.fill(scene.corners(t), static_cast<std::uint16_t>(index_of(t)));
@@ -225,7 +225,7 @@ void stroke_edges(Canvas& canvas, const MeshScene& scene, Colour colour, double 
       lines[bin - bins.begin()].push_back({a, b});
     }
   }
-  if (scene.is_large()) canvas.begin_raster(scene.frame().area);
+  if (scene.is_large_for_lines()) canvas.begin_raster(scene.frame().area);
   canvas.begin_clip(scene.frame().area);
   LineWriter writer(canvas, scene.safe());
   for (std::size_t i = 0; i < bins.size(); ++i) {

@@ -38,8 +38,10 @@ class MeshScene {
   /// The triangles that touch the frame, rising.
   [[nodiscard]] std::span<const TriangleId> visible() const { return visible_; }
   [[nodiscard]] bool is_visible(TriangleId t) const { return is_visible_[t] != 0; }
-  /// Too many triangles for vectors.
-  [[nodiscard]] bool is_large() const { return visible_.size() > 20'000; }
+  /// Too many triangles for vectors: beyond these an embedded image makes the smaller file (areas compress well,
+  /// lines less so).
+  [[nodiscard]] bool is_large_for_areas() const { return visible_.size() > 20'000; }
+  [[nodiscard]] bool is_large_for_lines() const { return visible_.size() > 60'000; }
   /// The rectangle to which geometry is cut before it is drawn, somewhat beyond the frame.
   [[nodiscard]] Rect safe() const { return frame_.area.grown(100); }
 
