@@ -20,8 +20,13 @@ std::string_view trimmed(std::string_view text) {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
+/// Whether a line of text can hold the name so that it is found again.
+bool is_plain(std::string_view name) {
+  return !name.empty() && trimmed(name) == name && std::none_of(name.begin(), name.end(), is_control);
+}
+
 void check_name(Marker marker, const std::string& name) {
-  if (name.empty() || trimmed(name) != name || std::any_of(name.begin(), name.end(), is_control))
+  if (!is_plain(name))
     throw InputError(
         "marker " + std::to_string(marker),
         "its name \"" + name + "\" is empty, holds a control character, or begins or ends with a blank",
@@ -53,11 +58,12 @@ std::map<Marker, std::string> read_marker_notes(std::string_view text, char comm
     line.remove_prefix(word.size());
     Marker marker = 0;
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), marker);
-    const std::string_view name = line.substr(static_cast<std::size_t>(end - line.data()));
-    if (error != std::errc{} || !name.starts_with(' ') || trimmed(name).empty()) continue;
-    const auto same_name = [&](const auto& entry) { return entry.second == trimmed(name); };
+    const std::string_view rest = line.substr(static_cast<std::size_t>(end - line.data()));
+    const std::string_view name = trimmed(rest);
+    if (error != std::errc{} || !rest.starts_with(' ') || !is_plain(name)) continue;
+    const auto same_name = [&](const auto& entry) { return entry.second == name; };
     if (names.contains(marker) || std::any_of(names.begin(), names.end(), same_name)) return {};
-    names.emplace(marker, trimmed(name));
+    names.emplace(marker, name);
   }
   return names;
 }

@@ -24,6 +24,9 @@ constexpr std::int64_t line_type = 3, triangle_type = 5, quadrilateral_type = 9;
 /// Bytes that the shortest possible entry of a section takes, line break included.
 constexpr std::size_t shortest_cell = 8, shortest_point = 4, shortest_edge = 6;
 
+/// What a tag cannot hold: blanks and quotation marks are dropped by readers, % begins a comment.
+constexpr const char* never_in_tags = " \t%\"'";
+
 std::string unnamed_tag(Marker marker) { return "marker_" + std::to_string(marker); }
 
 class Su2Parser {
@@ -167,6 +170,8 @@ class Su2Parser {
     for (const char c : scan_.rest())
       if (c != ' ' && c != '\t' && c != '"' && c != '\'') tag += c;
     if (tag.empty()) scan_.fail("MARKER_TAG= gives no name");
+    if (std::any_of(tag.begin(), tag.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+      scan_.fail("the marker's name " + in_quotes(tag) + " holds a control character", "choose a plain name");
     if (std::find(tags_.begin(), tags_.end(), tag) != tags_.end())
       scan_.fail("the marker " + in_quotes(tag) + " comes a second time",
                  "give the two parts different names, or join them");
@@ -223,13 +228,15 @@ class Su2Parser {
       number_of_tag[i] = noted->first;
     }
     if (notes_.empty()) {
-      for (std::size_t i = 0; i < tags_.size(); ++i)
-        soup_.marker_names[static_cast<Marker>(i + 1)] = tags_[i];
-      return;
+      for (std::size_t i = 0; i < tags_.size(); ++i) notes_.emplace(static_cast<Marker>(i + 1), tags_[i]);
+    } else {
+      for (MarkedEdge& edge : soup_.edges)
+        edge.marker = number_of_tag[static_cast<std::size_t>(edge.marker) - 1];
     }
-    for (MarkedEdge& edge : soup_.edges)
-      edge.marker = number_of_tag[static_cast<std::size_t>(edge.marker) - 1];
-    std::erase_if(notes_, [](const auto& note) { return note.second == unnamed_tag(note.first); });
+    std::erase_if(notes_, [](const auto& note) {
+      return note.second == unnamed_tag(note.first) ||
+             note.second.find_first_of(never_in_tags) != std::string::npos;
+    });
     soup_.marker_names = std::move(notes_);
   }
 
@@ -254,7 +261,7 @@ std::map<Marker, std::string> tags_of(const TriangleMesh& mesh) {
       throw InputError("marker " + std::to_string(marker),
                        "its name \"" + tag + "\" is also that of another marker",
                        "an SU2 file tells markers apart by name; give each its own");
-    if (tag.find_first_of(" \t%\"'") != std::string::npos)
+    if (tag.find_first_of(never_in_tags) != std::string::npos)
       throw InputError(
           "marker " + std::to_string(marker),
           "its name \"" + tag + "\" holds a blank, a quotation mark or %, which an SU2 file cannot",

@@ -49,7 +49,13 @@ void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
 /// plane z = const, ids out of range, bad cells as in read_su2
 [[nodiscard]] MeshFile read_vtu(const std::filesystem::path& path);
 
-/// The same from bytes in memory; source names them in errors.
+/// One point field of a .vtu of one piece, in the order of the vertices that read_vtu gives.
+///
+/// throws InputError: as read_vtu; no field of that name (the message lists those there are), more than three
+/// components, values that are not finite
+[[nodiscard]] PointField read_vtu_field(const std::filesystem::path& path, const std::string& name);
+
+/// The same as read_vtu from bytes in memory; source names them in errors.
 [[nodiscard]] MeshFile parse_vtu(std::string_view bytes, const std::string& source);
 
 }  // namespace io

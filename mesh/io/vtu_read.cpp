@@ -31,6 +31,42 @@ class VtuReader {
   }
 
   MeshFile read() {
+    const XmlElement& piece = open_piece();
+    read_points(piece);
+    read_cells(piece);
+    const bool knows_boundary = read_field_data(need(root_, "UnstructuredGrid").child("FieldData"));
+    MeshFile result = assemble(
+        std::move(soup_), knows_boundary ? EdgeRule::edges_are_the_boundary : EdgeRule::fill_in_the_boundary);
+    const auto has_marker_1 = [](const MarkedEdge& edge) { return edge.marker == 1; };
+    if (!knows_boundary &&
+        std::any_of(result.mesh.boundary.begin(), result.mesh.boundary.end(), has_marker_1))
+      result.mesh.marker_names.try_emplace(1, "boundary");
+    return result;
+  }
+
+  PointField read_field(const std::string& name) {
+    const XmlElement& piece = open_piece();
+    const XmlElement* data = piece.child("PointData");
+    const XmlElement* array = find_array(data, name);
+    if (array == nullptr)
+      fail(data != nullptr ? *data : piece, "there is no point field " + in_quotes(name), field_names(data));
+    PointField field{name, 1, {}};
+    const std::string components = array->attribute("NumberOfComponents", "1");
+    if (components != "1" && components != "2" && components != "3")
+      fail(*array, "the field " + in_quotes(name) + " has " + components + " components",
+           "1 to 3 can be read");
+    field.components = static_cast<std::size_t>(components[0] - '0');
+    field.values = read_doubles(*array, encoding_, field.components * point_count_);
+    for (std::size_t i = 0; i < field.values.size(); ++i)
+      if (!std::isfinite(field.values[i]))
+        fail(*array, "the field " + in_quotes(name) + " is not finite at vertex " +
+                         std::to_string(i / field.components));
+    return field;
+  }
+
+ private:
+  /// Check what the file is and find its one piece.
+  const XmlElement& open_piece() {
     if (root_.name != "VTKFile" || root_.attribute("type") != "UnstructuredGrid")
       fail(root_, "this is no unstructured grid of VTK (<VTKFile type=\"UnstructuredGrid\">)",
            "give a .vtu file");
@@ -42,19 +78,9 @@ class VtuReader {
     const XmlElement& piece = need(grid, "Piece");
     point_count_ = read_count(piece, "NumberOfPoints");
     cell_count_ = read_count(piece, "NumberOfCells");
-    read_points(piece);
-    read_cells(piece);
-    const bool knows_boundary = read_field_data(grid.child("FieldData"));
-    MeshFile result = assemble(
-        std::move(soup_), knows_boundary ? EdgeRule::edges_are_the_boundary : EdgeRule::fill_in_the_boundary);
-    const auto has_marker_1 = [](const MarkedEdge& edge) { return edge.marker == 1; };
-    if (!knows_boundary &&
-        std::any_of(result.mesh.boundary.begin(), result.mesh.boundary.end(), has_marker_1))
-      result.mesh.marker_names.try_emplace(1, "boundary");
-    return result;
+    return piece;
   }
 
- private:
   [[noreturn]] void fail(const XmlElement& element, std::string problem, std::string remedy = {}) const {
     throw InputError(at_line(source_, element.line), std::move(problem), std::move(remedy));
   }
@@ -65,6 +91,15 @@ class VtuReader {
       fail(parent, "the element <" + std::string(parent.name) + "> has no <" + std::string(name) + ">",
            "the file was cut short, or is no grid of VTK");
     return *child;
+  }
+
+  /// "it has density, mach", for the message about a field that is not there.
+  static std::string field_names(const XmlElement* data) {
+    std::string names;
+    if (data != nullptr)
+      for (const XmlElement& child : data->children)
+        if (child.name == "DataArray") names += (names.empty() ? "it has " : ", ") + child.attribute("Name");
+    return names;
   }
 
   static const XmlElement* find_array(const XmlElement* data, std::string_view name) {
@@ -257,6 +292,12 @@ MeshFile parse_vtu(std::string_view bytes, const std::string& source) {
 
 MeshFile read_vtu(const std::filesystem::path& path) {
   return parse_vtu(read_whole_file(path), path.string());
+}
+
+PointField read_vtu_field(const std::filesystem::path& path, const std::string& name) {
+  const std::string bytes = read_whole_file(path), source = path.string();
+  const XmlElement root = parse_xml(bytes, source, "AppendedData");
+  return VtuReader(root, source).read_field(name);
 }
 
 }  // namespace leonhard::io
