@@ -64,7 +64,11 @@ class ImplicitMarch {
         if (march_.stop.stop_requested()) return Verdict::stopped;
         ++march_.rejected;
         march_.cfl *= 0.2;
-        if (march_.cfl < least_cfl) return Verdict::diverged;
+        if (march_.cfl >= least_cfl) continue;
+        if (march_.bad_vertex) return Verdict::diverged;
+        if (!strict_) return Verdict::stalled;
+        strict_ = false;  // no step reduces the residual: let it grow a little
+        march_.cfl = std::min(default_cfl, cfl_max());
       }
       keep_improving();
       if (const auto verdict = march_.record(number)) return *verdict;
@@ -77,6 +81,7 @@ class ImplicitMarch {
 
   /// One step: assemble, solve, take as much of the step as is safe. False: nothing changed.
   bool advance() {
+    march_.bad_vertex.reset();
     if (!assemble()) return false;
     const LinearReport linear = solve();
     march_.linear_iterations += linear.iterations;
@@ -151,7 +156,7 @@ class ImplicitMarch {
     trial_norm_ = residual_norm(trial_residual_, march_.state.size());
     if (!std::isfinite(trial_norm_))
       march_.bad_vertex = find_bad_vertex(march_.problem, trial_state_, trial_residual_);
-    return trial_norm_ <= residual_may_grow * march_.norm;
+    return trial_norm_ <= (strict_ ? 1.0 : residual_may_grow) * march_.norm;
   }
 
   void accept() {
@@ -169,14 +174,16 @@ class ImplicitMarch {
     march_.cfl = std::min(march_.cfl * factor, cfl_max());
   }
 
-  /// A large time step can end in a cycle over the limiter's kinks; a smaller one leaves it.
+  /// A march can end in a cycle over the limiter's kinks: smaller time steps, and none that lets the residual grow,
+  /// leave it.
   void keep_improving() {
     if (march_.norm < 0.8 * best_norm_) {
       best_norm_ = march_.norm;
       waited_ = 0;
-    } else if (++waited_ >= patience) {
-      march_.cfl *= 0.1;
-      best_norm_ = march_.norm;
+      strict_ = false;
+    } else if (newton_ && ++waited_ >= patience) {
+      march_.cfl = std::max(0.1 * march_.cfl, std::min(march_.cfl, default_cfl));
+      strict_ = true;
       waited_ = 0;
     }
   }
@@ -190,6 +197,7 @@ class ImplicitMarch {
   PerId<VertexId, State> trial_state_;
   double trial_norm_ = 0, best_norm_ = 1e300;
   int waited_ = 0;
+  bool strict_ = false;  ///< the residual may not grow
 };
 
 }  // namespace
