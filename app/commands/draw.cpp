@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "leonhard/app/commands/commands.hpp"
@@ -43,6 +44,9 @@ draw::View view_of(const DrawCommand& command) {
 }
 
 void draw_named_field(const DrawCommand& command, const TriangleMesh& mesh, const draw::PictureSize& size) {
+  if (std::filesystem::path(command.mesh).extension() != ".vtu") {
+    throw InputError(command.mesh, "only .vtu files carry fields such as " + command.field, "give a field.vtu that solve wrote");
+  }
   const PointField field = io::read_vtu_field(command.mesh, command.field);
   std::vector<double> values(mesh.vertex_count());
   for (std::size_t v = 0; v < values.size(); ++v) {  // a vector is drawn by its length
