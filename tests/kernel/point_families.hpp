@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -82,6 +83,15 @@ inline double any_exponent(Random& random, int low, int high) {
   return std::ldexp(uniform(random), integer(random, low, high));
 }
 
+/// The corners of a rectangle of any coordinates: a tie whose differences round, unlike those of neighbours.
+inline Quadruple any_rectangle(Random& random) {
+  const double left = any_exponent(random, -30, 1), right = any_exponent(random, -30, 1);
+  const double bottom = any_exponent(random, -30, 1), top = any_exponent(random, -30, 1);
+  Quadruple points{{{left, bottom}, {right, top}, {right, bottom}, {left, top}}};
+  std::ranges::shuffle(points, random);
+  return points;
+}
+
 inline std::vector<PointFamily> point_families() {
   return {
       {"uniform", [](Random& r) { return each_coordinate([&r] { return uniform(r); }); }},
@@ -90,6 +100,7 @@ inline std::vector<PointFamily> point_families() {
       {"nearly collinear", nearly_collinear},
       {"nearly cocircular", nearly_cocircular},
       {"nearly rectangular", nearly_rectangular},
+      {"any rectangle", any_rectangle},
       {"subnormal",
        [](Random& r) { return each_coordinate([&r] { return 0x1p-1074 * integer(r, -5, 5); }); }},
       {"subnormal and tiny",

@@ -19,7 +19,7 @@ using namespace leonhard::testing;
 
 namespace {
 
-/// Checks a predicate and its exact part on all families; 288 000 calls of the oracle.
+/// Checks a predicate and its exact part on all families; 304 000 calls of the oracle.
 template <class Predicate, class Exact, class Oracle>
 void check_against_oracle(Predicate predicate, Exact exact_part, Oracle oracle) {
   Random random(20240229);
