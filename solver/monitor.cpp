@@ -100,9 +100,11 @@ std::string describe(Verdict verdict, const std::vector<Iteration>& history,
   std::ostringstream out;
   out.precision(4);
   out << to_string(verdict);
-  if (history.empty()) return out.str();
-  const Iteration& last = history.back();
-  out << " after " << last.number << " iterations, residual down " << last.residual_drop_orders << " orders";
+  if (history.empty())
+    out << " at the start";
+  else
+    out << " after " << history.back().number << " iterations, residual down "
+        << history.back().residual_drop_orders << " orders";
   switch (verdict) {
     case Verdict::settled:
       out << "; it hangs there, but the coefficients stand still";
@@ -111,7 +113,7 @@ std::string describe(Verdict verdict, const std::vector<Iteration>& history,
       out << "; it hangs there and the coefficients still move";
       break;
     case Verdict::diverged:
-      out << "; no time step was small enough";
+      if (!history.empty()) out << "; no time step was small enough";
       if (bad) describe_bad_vertex(out, *bad, mesh);
       break;
     case Verdict::converged:

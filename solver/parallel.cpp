@@ -2,8 +2,11 @@
 #include "leonhard/solver/parallel.hpp"
 
 #if defined(LEONHARD_HAS_TBB)
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 #endif
 
 namespace leonhard::solver {
@@ -14,7 +17,9 @@ struct PartRunner::Arena {
 };
 
 PartRunner::PartRunner(int threads) {
-  if (threads > 1) arena_ = std::make_unique<Arena>(tbb::task_arena(threads));
+  // More than the processors would only make oneTBB complain.
+  const int used = std::min(threads, tbb::info::default_concurrency());
+  if (used > 1) arena_ = std::make_unique<Arena>(tbb::task_arena(used));
 }
 
 void PartRunner::operator()(std::size_t parts, const std::function<void(std::size_t)>& body) const {

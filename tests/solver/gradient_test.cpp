@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "leonhard/solver/edge_plan.hpp"
+#include "leonhard/solver/gas.hpp"
+#include "leonhard/solver/limiter.hpp"
+#include "tests/solver/meshes.hpp"
+
+namespace {
+
+using namespace leonhard;
+using solver::EdgePlan;
+using solver::SweepLimiter;
+
+std::vector<double> gradients(const EdgePlan& plan, const PerId<VertexId, State>& state,
+                              SweepLimiter limiter) {
+  std::vector<double> gradient(8 * plan.vertex_count), scale2(plan.vertex_count, 1e-12);
+  const solver::SweepSettings settings{1.4, 0.05, limiter, scale2.data()};
+  for (const solver::PartRange& part : plan.parts)
+    solver::best_sweep().limited_gradients(plan.view(), part, settings, &state.flat().front().rho,
+                                           gradient.data());
+  return gradient;
+}
+
+TEST_CASE("least_squares_gradients_are_exact_for_linear_functions") {
+  const TriangleMesh mesh = test::shaken_square(12, 0.3, 3);
+  const EdgePlan plan = solver::make_edge_plan(mesh);
+  PerId<VertexId, State> state;
+  for (const Point2 p : mesh.points) state.push_back({1 + 2 * p.x - p.y, 3 * p.y, -p.x + 0.5 * p.y, 7 - p.x});
+  const auto g = gradients(plan, state, SweepLimiter::none);
+  const double by_x[4] = {2, 0, -1, -1}, by_y[4] = {-1, 3, 0.5, 0};
+  for (std::size_t v = 0; v < plan.vertex_count; ++v)
+    for (std::size_t i = 0; i < 4; ++i) {
+      CHECK(std::abs(g[8 * v + i] - by_x[i]) < 1e-12);
+      CHECK(std::abs(g[8 * v + 4 + i] - by_y[i]) < 1e-12);
+    }
+}
+
+TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_the_neighbours") {
+  const TriangleMesh mesh = test::shaken_square(12, 0.3, 4);
+  const EdgePlan plan = solver::make_edge_plan(mesh);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(0.5, 1.5);
+  PerId<VertexId, State> state;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+    state.push_back({any(random), any(random), any(random), any(random)});
+  const auto free = gradients(plan, state, SweepLimiter::none);
+  const auto limited = gradients(plan, state, SweepLimiter::barth_jespersen);
+  const auto value = [&](std::size_t v, std::size_t i) { return (&state.flat()[v].rho)[i]; };
+  std::size_t overshoots = 0;
+  for (std::size_t v = 0; v < plan.vertex_count; ++v)
+    for (std::size_t i = 0; i < 4; ++i) {
+      double low = value(v, i), high = low;
+      for (std::uint32_t s = plan.offset[v]; s < plan.offset[v + 1]; ++s) {
+        low = std::min(low, value(plan.neighbour[s], i));
+        high = std::max(high, value(plan.neighbour[s], i));
+      }
+      for (std::uint32_t s = plan.offset[v]; s < plan.offset[v + 1]; ++s) {
+        const auto at_face = [&](const std::vector<double>& g) {
+          return value(v, i) + plan.slot[s].half_x * g[8 * v + i] + plan.slot[s].half_y * g[8 * v + 4 + i];
+        };
+        CHECK(at_face(limited) >= low - 1e-12);
+        CHECK(at_face(limited) <= high + 1e-12);
+        if (at_face(free) < low || at_face(free) > high) ++overshoots;
+      }
+    }
+  CHECK(overshoots > 100);  // without the limiter they leave it
+}
+
+TEST_CASE("limiters_leave_linear_functions_alone_inside") {
+  const TriangleMesh mesh = test::mapped_grid(10, 10, false, [](double s, double t) { return Point2{s, t}; });
+  const EdgePlan plan = solver::make_edge_plan(mesh);
+  PerId<VertexId, State> state;
+  for (const Point2 p : mesh.points) state.push_back({1 + p.x, p.y, p.x + p.y, 2 - p.x});
+  for (const auto limiter : {SweepLimiter::venkatakrishnan, SweepLimiter::barth_jespersen}) {
+    const auto g = gradients(plan, state, limiter);
+    for (const VertexId v : mesh.points.ids()) {
+      const Point2 p = mesh.points[v];
+      if (p.x > 0.05 && p.x < 0.95 && p.y > 0.05 && p.y < 0.95)
+        CHECK(g[8 * v.index()] == doctest::Approx(1).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("limiter_formulas_do_not_increase_with_the_step") {
+  for (const double room : {0.0, 0.3, 1.0, -0.7})
+    for (const double scale2 : {1e-12, 1e-2}) {
+      double venkatakrishnan = 1, barth_jespersen = 1;
+      for (int k = 0; k <= 200; ++k) {
+        const double step = (room < 0 ? -0.02 : 0.02) * k;
+        const double a = solver::limit_venkatakrishnan<double>(room, step, scale2);
+        const double b = solver::limit_barth_jespersen<double>(room, step);
+        CHECK(a <= venkatakrishnan + 1e-15);
+        CHECK(b <= barth_jespersen + 1e-15);
+        CHECK(std::abs(b * step) <= std::abs(room) + 1e-15);
+        venkatakrishnan = a, barth_jespersen = b;
+      }
+      CHECK(barth_jespersen < 1);
+    }
+}
+
+}  // namespace

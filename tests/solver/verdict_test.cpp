@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <limits>
+#include <stop_token>
+
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/solver/monitor.hpp"
+#include "leonhard/solver/steady.hpp"
+#include "tests/solver/meshes.hpp"
+#include "tests/solver/session.hpp"
+
+namespace {
+
+using namespace leonhard;
+
+EulerProblem square_problem(const TriangleMesh& mesh) {
+  return {mesh,
+          {},
+          {0.5, 0},
+          {{test::south, BoundaryKind::slip_wall},
+           {test::east, BoundaryKind::far_field},
+           {test::north, BoundaryKind::far_field},
+           {test::west, BoundaryKind::far_field}},
+          {},
+          true,
+          {0.25, 0},
+          {}};
+}
+
+EulerProblem airfoil_problem(const TriangleMesh& mesh) {
+  return {mesh,        {},
+          {0.8, 0.02}, {{test::south, BoundaryKind::slip_wall}, {test::north, BoundaryKind::far_field}},
+          {},          true,
+          {0.25, 0},   {}};
+}
+
+std::string complaint(const EulerProblem& problem, const SteadyOptions& options = {}) {
+  try {
+    (void)solver::solve_steady(problem, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_CASE("nonsense_state_is_diverged_and_names_the_vertex") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::shaken_square(6, 0.1, 1);
+  const EulerProblem problem = square_problem(mesh);
+  for (const State nonsense :
+       {State{-1, 0.5, 0, 0.7}, State{1, 0.5, 0, std::numeric_limits<double>::quiet_NaN()}}) {
+    SteadyOptions options;
+    options.initial = PerId<VertexId, State>(mesh.vertex_count(), solver::free_stream_state({}, {0.5, 0}));
+    options.initial[VertexId::from(9)] = nonsense;
+    const SteadyResult result = solver::solve_steady(problem, options);
+    CHECK(result.verdict == Verdict::diverged);
+    REQUIRE(result.bad_vertex);
+    CHECK(result.bad_vertex->vertex == VertexId::from(9));
+    CHECK(result.bad_vertex->at == mesh.points[VertexId::from(9)]);
+    REQUIRE(result.bad_vertex->nearest_marker);
+    CHECK(*result.bad_vertex->nearest_marker == test::south);
+    CHECK(says(result.words, "vertex 9"));
+    CHECK(says(result.words, "south"));
+  }
+}
+
+TEST_CASE("explicit_march_with_an_absurd_time_step_recovers_or_says_where_it_diverged") {
+  const TriangleMesh mesh = test::o_mesh(48, 16, 8, 0.03, test::naca0012);
+  SteadyOptions options;
+  options.marching = Marching::explicit_multistage;
+  options.cfl_start = 1e4;
+  options.max_iterations = 50;
+  const SteadyResult result = solver::solve_steady(airfoil_problem(mesh), options);
+  CHECK(result.rejected_steps > 0);
+  for (const State& w : result.state)
+    if (result.verdict != Verdict::diverged) CHECK(solver::is_physical(w));
+  if (result.verdict == Verdict::diverged) CHECK(result.bad_vertex);
+}
+
+TEST_CASE("stop_request_ends_the_march_at_once") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::o_mesh(48, 16, 8, 0.03, test::naca0012);
+  for (const Marching marching : {Marching::implicit_ptc, Marching::explicit_multistage}) {
+    SteadyOptions options;
+    options.marching = marching;
+    std::stop_source source;
+    int reports = 0;
+    const SteadyResult result = solver::solve_steady(
+        airfoil_problem(mesh), options,
+        [&](const Iteration&) {
+          if (++reports == 4) source.request_stop();
+        },
+        source.get_token());
+    CHECK(result.verdict == Verdict::stopped);
+    CHECK(reports == 4);
+    CHECK(result.history.size() == 4);
+    CHECK(result.surface.size() == 1);  // what there is can be written
+  }
+}
+
+TEST_CASE("iteration_limit_is_a_verdict") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::o_mesh(32, 10, 8, 0.05, test::naca0012);
+  SteadyOptions options;
+  options.max_iterations = 3;
+  const SteadyResult result = solver::solve_steady(airfoil_problem(mesh), options);
+  CHECK(result.verdict == Verdict::iteration_limit);
+  CHECK(result.history.size() == 4);
+}
+
+TEST_CASE("a_solution_at_the_start_is_converged_at_once") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::shaken_square(6, 0.2, 1);
+  EulerProblem problem = square_problem(mesh);
+  problem.boundary[test::south] = BoundaryKind::far_field;
+  const SteadyResult result = solver::solve_steady(problem);
+  CHECK(result.verdict == Verdict::converged);
+  CHECK(result.history.size() == 1);
+}
+
+std::optional<Verdict> fed_with(const SteadyOptions& options, const std::function<Iteration(int)>& make,
+                                int count) {
+  solver::ConvergenceMonitor book(options, 20, 1000, {}, {});
+  for (int i = 0; i < count; ++i)
+    if (const auto verdict = book.record(make(i))) return verdict;
+  return std::nullopt;
+}
+
+TEST_CASE("hanging_residual_with_steady_coefficients_is_settled_and_with_moving_ones_stalled") {
+  const SteadyOptions options;
+  const auto line = [](int i, double drop, double cl) {
+    return Iteration{i, drop, cl, 0.02, -0.03, 10, 5, 0.0};
+  };
+  CHECK(fed_with(
+            options, [&](int i) { return line(i, 3 + 0.01 * (i % 2), 0.3 + 1e-8 * (i % 3)); }, 500) ==
+        Verdict::settled);
+  CHECK(fed_with(
+            options, [&](int i) { return line(i, 3 + 0.01 * (i % 2), 0.3 + 1e-3 * (i % 3)); }, 500) ==
+        Verdict::stalled);
+  CHECK(fed_with(
+            options, [&](int i) { return line(i, 0.02 * i, 0.3); }, 300) == std::nullopt);  // still falling
+  CHECK(fed_with(
+            options, [&](int i) { return line(i, 0.02 * i, 0.3); }, 500) == Verdict::converged);
+}
+
+TEST_CASE("marker_without_a_condition_and_condition_without_a_marker_are_refused_by_name") {
+  const TriangleMesh mesh = test::shaken_square(4, 0.1, 1);
+  EulerProblem problem = square_problem(mesh);
+  problem.boundary.erase(test::east);
+  CHECK(says(complaint(problem), "east"));
+  EulerProblem other = square_problem(mesh);
+  other.boundary[77] = BoundaryKind::slip_wall;
+  CHECK(says(complaint(other), "77"));
+}
+
+TEST_CASE("numbers_out_of_range_are_refused_by_name") {
+  const TriangleMesh mesh = test::shaken_square(4, 0.1, 1);
+  const EulerProblem good = square_problem(mesh);
+  const auto with_mach = [&](double mach) {
+    EulerProblem problem = good;
+    problem.free_stream.mach = mach;
+    return complaint(problem);
+  };
+  CHECK(says(with_mach(-0.8), "mach"));
+  CHECK(says(with_mach(0), "mach"));
+  CHECK(says(with_mach(std::numeric_limits<double>::quiet_NaN()), "mach"));
+  EulerProblem problem = good;
+  problem.gas.gamma = 1;
+  CHECK(says(complaint(problem), "gamma"));
+  SteadyOptions options;
+  options.threads = 0;
+  CHECK(says(complaint(good, options), "threads"));
+  options = {};
+  options.order = 3;
+  CHECK(says(complaint(good, options), "order"));
+  options = {};
+  options.cfl_start = -1;
+  CHECK(says(complaint(good, options), "cfl_start"));
+  options = {};
+  options.initial.push_back({1, 0, 0, 1});
+  CHECK(says(complaint(good, options), "initial"));
+}
+
+}  // namespace
