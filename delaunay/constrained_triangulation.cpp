@@ -20,8 +20,7 @@ void ConstrainedTriangulation::set_piece(SideId s, MaybeId<PieceId> p) {
 
 PieceId ConstrainedTriangulation::add_piece(SideId s, Marker marker, std::size_t segment) {
   const PieceId p = pieces_.push_back({topology_.origin(s), topology_.destination(s), s, marker, segment});
-  set_piece(topology_.twin(s), p);
-  set_piece(s, p);
+  set_both(s, p);
   return p;
 }
 
@@ -31,8 +30,7 @@ GhostTriangulation::Flipped ConstrainedTriangulation::flip(SideId s) {
   std::array<MaybeId<PieceId>, 4> pieces;
   for (std::size_t i = 0; i < 4; ++i) pieces[i] = piece_of(flipped.moved[i].first);
   for (std::size_t i = 0; i < 4; ++i) set_piece(flipped.moved[i].second, pieces[i]);
-  set_piece(flipped.diagonal, {});
-  set_piece(topology_.twin(flipped.diagonal), {});
+  set_both(flipped.diagonal, {});
   return flipped;
 }
 
@@ -54,11 +52,7 @@ void ConstrainedTriangulation::fill(Cavity& cavity, VertexId v) {
   }
 }
 
-void ConstrainedTriangulation::release(PieceId p) {
-  const SideId s = pieces_[p].side;
-  piece_of_side_[s.index()] = {};
-  piece_of_side_[topology_.twin(s).index()] = {};
-}
+void ConstrainedTriangulation::release(PieceId p) { set_both(pieces_[p].side, {}); }
 
 PieceId ConstrainedTriangulation::split_piece(PieceId p, VertexId v, const Cavity& filled) {
   const VertexId to = pieces_[p].to;
@@ -68,8 +62,7 @@ PieceId ConstrainedTriangulation::split_piece(PieceId p, VertexId v, const Cavit
     const SideId spoke = GhostTriangulation::previous(b.inner);
     assert(topology_.origin(spoke) == v && topology_.destination(spoke) == b.from);
     if (b.from == pieces_[p].from) {
-      set_piece(topology_.twin(spoke), p);
-      set_piece(spoke, p);
+      set_both(spoke, p);
     } else if (b.from == to) {
       second = add_piece(spoke, pieces_[p].marker, pieces_[p].segment);
     }

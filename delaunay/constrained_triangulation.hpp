@@ -64,6 +64,8 @@ class ConstrainedTriangulation {
   PieceId split_piece(PieceId p, VertexId v, const Cavity& filled);
   /// Forget that the edge is a piece, so that a cavity may cover it; split_piece gives it back in two halves.
   void release(PieceId p);
+  /// Undo release.
+  void restore(PieceId p) { set_both(pieces_[p].side, p); }
 
   /// The first broken invariant in words: those of GhostTriangulation, exact orientation of every real triangle,
   /// pieces and sides that do not know each other, an unconstrained edge that is not locally Delaunay (ties
@@ -72,6 +74,10 @@ class ConstrainedTriangulation {
 
  private:
   void set_piece(SideId s, MaybeId<PieceId> p);
+  void set_both(SideId s, MaybeId<PieceId> p) {
+    set_piece(topology_.twin(s), p);
+    set_piece(s, p);
+  }
 
   GhostTriangulation topology_;
   std::vector<Point2> points_;

@@ -293,7 +293,7 @@ void Refiner::grow_cavity(Point2 p) {
 bool Refiner::too_close(Point2 p) const {
   if (!(options_.min_edge > 0)) return false;
   return std::any_of(cavity_.border().begin(), cavity_.border().end(), [&](const Cavity::Border& b) {
-    return distance(p, cells_.point(b.from)) < options_.min_edge;
+    return b.from != GhostTriangulation::ghost && distance(p, cells_.point(b.from)) < options_.min_edge;
   });
 }
 
@@ -303,14 +303,17 @@ void Refiner::split(const PieceTask& task) {
   const PieceId first = task.piece;
   const Piece& piece = cells_.piece(first);
   if (piece.from != task.from || piece.to != task.to || piece_excuse_[first] != Excuse::none) return;
-  const Point2 a = cells_.point(piece.from), b = cells_.point(piece.to);
   Point2 m = split_site(piece);
-  if (!can_split_at(piece, m)) m = middle(a, b);
+  if (!can_split_at(piece, m)) m = middle(cells_.point(piece.from), cells_.point(piece.to));
   if (!can_split_at(piece, m)) {
     piece_excuse_[first] = Excuse::rounding;
     return;
   }
-  if (options_.min_edge > 0 && std::min(distance(a, m), distance(m, b)) < options_.min_edge) {
+  cavity_.start(topology_, piece.side);
+  cells_.release(first);
+  grow_cavity(m);
+  if (too_close(m)) {
+    cells_.restore(first);
     piece_excuse_[first] = Excuse::min_edge;
     return;
   }
@@ -318,9 +321,6 @@ void Refiner::split(const PieceTask& task) {
   const Chain ends = chains_[chain];
   if (kernel::orient2d(cells_.point(ends.from), cells_.point(ends.to), m) != Sign::zero) ++rounded_splits_;
 
-  cavity_.start(topology_, piece.side);
-  cells_.release(first);
-  grow_cavity(m);
   const VertexId v = cells_.add_point(m);
   chain_of_vertex_.push_back(chain);
   cells_.fill(cavity_, v);
