@@ -74,12 +74,28 @@ RawCurve read_points(std::string_view text, const std::string& source) {
   return curve;
 }
 
-/// Lednicer's format begins with the numbers of points of the upper and lower side, both of which run from
-/// the leading to the trailing edge. Turns it into Selig's order; leaves a curve in Selig's order alone.
-void undo_lednicer_order(RawCurve& curve) {
-  const Point2 counts = curve.points.front().at;
+std::size_t farthest_from(Point2 p, const std::vector<LocatedPoint>& points) {
+  const auto farther = [&](const LocatedPoint& a, const LocatedPoint& b) {
+    return distance(a.at, p) < distance(b.at, p);
+  };
+  return static_cast<std::size_t>(std::max_element(points.begin(), points.end(), farther) - points.begin());
+}
+
+/// Whether the first line holds Lednicer's counts: two whole numbers, and the last point does not come back to them
+/// as it does to the first point of a curve in Selig's order.
+bool begins_with_counts(const RawCurve& curve) {
+  const Point2 first = curve.points.front().at;
   const auto is_count = [](double value) { return value > 1.5 && value < 1e9 && value == std::floor(value); };
-  if (!is_count(counts.x) || !is_count(counts.y)) return;
+  if (!is_count(first.x) || !is_count(first.y)) return false;
+  const double extent = distance(first, curve.points[farthest_from(first, curve.points)].at);
+  return distance(first, curve.points.back().at) > widest_gap * extent;
+}
+
+/// Lednicer's format begins with the numbers of points of the upper and lower side, both of which run from the
+/// leading to the trailing edge. Turns it into Selig's order; leaves a curve in Selig's order alone.
+void undo_lednicer_order(RawCurve& curve) {
+  if (!begins_with_counts(curve)) return;
+  const Point2 counts = curve.points.front().at;
   const std::size_t found = curve.points.size() - 1;
   const auto upper = static_cast<std::size_t>(counts.x), lower = static_cast<std::size_t>(counts.y);
   if (upper + lower != found)
@@ -111,13 +127,6 @@ void refuse_repeated_points(RawCurve& curve) {
                "an airfoil needs at least " + std::to_string(fewest_points) + " different points, found " +
                    std::to_string(curve.points.size()),
                "was the file cut short?");
-}
-
-std::size_t farthest_from(Point2 p, const std::vector<LocatedPoint>& points) {
-  const auto farther = [&](const LocatedPoint& a, const LocatedPoint& b) {
-    return distance(a.at, p) < distance(b.at, p);
-  };
-  return static_cast<std::size_t>(std::max_element(points.begin(), points.end(), farther) - points.begin());
 }
 
 /// Where a curve begins, seen from its other end.

@@ -27,7 +27,7 @@ namespace io {
 /// Read airfoil coordinates from a .dat file, in Selig's order (trailing edge, upper side, leading edge,
 /// lower side; a closed curve may start anywhere, either way round) or Lednicer's (point counts, upper and
 /// lower side, each from the leading edge), detected by the first line of numbers: two whole numbers
-/// above 1.5 are counts.
+/// above 1.5 to which the last point does not come back are counts.
 ///
 /// The trailing edge is the end of larger x. An open end there is a blunt base; a closed curve's trailing
 /// edge is blunt if two corners sharper than 45 degrees lie within 5 % of the chord.

@@ -83,6 +83,8 @@ std::string in_quotes(std::string_view word) {
 
 TextScanner::TextScanner(std::string_view text, std::string source, TextSyntax syntax)
     : text_(text), source_(std::move(source)), syntax_(syntax), line_(syntax.lines_before) {
+  for (const char c : {' ', '\t', '\r', '\v', '\f'}) blank_[static_cast<unsigned char>(c)] = true;
+  if (syntax_.extra_blank != '\0') blank_[static_cast<unsigned char>(syntax_.extra_blank)] = true;
   if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
   const std::size_t zero = text_.find('\0');
   if (zero != std::string_view::npos) {

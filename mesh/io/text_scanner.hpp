@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -74,16 +75,14 @@ class TextScanner {
   [[noreturn]] void fail(std::string problem, std::string remedy = {}) const;
 
  private:
-  [[nodiscard]] bool is_blank(char c) const {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f' ||
-           (c == syntax_.extra_blank && c != '\0');
-  }
+  [[nodiscard]] bool is_blank(char c) const { return blank_[static_cast<unsigned char>(c)]; }
   void trim();
 
   std::string_view text_;
   std::string source_;
   TextSyntax syntax_;
-  std::size_t next_ = 0;  ///< offset of the line after the current one
+  std::array<bool, 256> blank_{};  ///< by character
+  std::size_t next_ = 0;           ///< offset of the line after the current one
   std::size_t line_ = 0;
   std::string_view rest_;
 };

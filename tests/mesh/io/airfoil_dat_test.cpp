@@ -105,6 +105,13 @@ TEST_CASE("lednicers_order_gives_the_same_airfoil_as_seligs") {
   CHECK(parse(blunt_lednicer).points == blunt_points);
 }
 
+TEST_CASE("curve_in_whole_numbers_is_not_taken_for_lednicers_counts") {
+  // From fuzzing: the first point of a closed curve in Selig's order may look like two counts.
+  CHECK(parse("12 21\n5 25\n0 20\n5 18\n10 19\n12 21\n").points.size() == 5);
+  CHECK(parse("2 3\n1 4\n0 3\n1 2.5\n1.5 2.7\n2 3\n").points.size() == 5);  // and 2 + 3 lines follow
+  CHECK(parse("100 12\n50 20\n0 10\n50 5\n100 10\n").blunt_trailing_edge);
+}
+
 TEST_CASE("airfoil_may_be_separated_by_commas_and_tabs_with_comments") {
   CHECK(parse("# a comment\nname, with comma\n1.0,0.0\r\n0.5,\t0.1 # upper\n0.1, 0.08\n0 0\n.1 -.04\n5e-1 "
               "-0.05\n1 0\n")
