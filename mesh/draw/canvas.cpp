@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
@@ -91,6 +92,27 @@ cairo_status_t append(void* closure, const unsigned char* data, unsigned length)
   return CAIRO_STATUS_SUCCESS;
 }
 
+// cairo numbers surfaces and images through the whole process; the same picture is to be the same file. Numbers
+// them from 1 within the file. The characters before a name occur in no embedded image (base64).
+std::string with_own_numbers(const std::string& svg) {
+  std::map<std::string, std::size_t> number;
+  std::string result;
+  std::size_t done = 0;
+  for (std::size_t at = svg.find_first_of("\"#"); at != std::string::npos;
+       at = svg.find_first_of("\"#", at + 1)) {
+    for (const std::string_view kind : {"surface", "image"}) {
+      if (svg.compare(at + 1, kind.size(), kind) != 0) continue;
+      const std::size_t digits = at + 1 + kind.size();
+      const std::size_t end = std::min(svg.find_first_not_of("0123456789", digits), svg.size());
+      if (end == digits) continue;
+      const auto [entry, is_new] = number.emplace(svg.substr(at + 1, end - at - 1), number.size() + 1);
+      result += svg.substr(done, digits - done) + std::to_string(entry->second);
+      done = end;
+    }
+  }
+  return result + svg.substr(done);
+}
+
 void set_font(cairo_t* context, double size, bool bold) {
   cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
@@ -120,8 +142,9 @@ void set_source(cairo_t* context, Colour c, double opacity) {
 }  // namespace
 
 std::uint32_t packed(Colour colour) {
+  // As cairo rounds, so that an area filled with the colour has the very same pixels.
   const auto byte = [](double v) {
-    return static_cast<std::uint32_t>(std::lround(255 * std::clamp(v, 0.0, 1.0)));
+    return static_cast<std::uint32_t>(std::clamp(v, 0.0, 1.0) * 65535 + 0.5) >> 8;
   };
   return 0xFF000000U | byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue);
 }
@@ -329,7 +352,8 @@ void Canvas::save() {
     if (status != CAIRO_STATUS_SUCCESS) throw OutputError(path_, cairo_status_to_string(status));
   }
   cairo_->finish();
-  io::write_file_atomically(path_, cairo_->bytes);
+  const bool svg = cairo_->format == Format::svg;
+  io::write_file_atomically(path_, svg ? with_own_numbers(cairo_->bytes) : cairo_->bytes);
 }
 
 }  // namespace leonhard::draw

@@ -44,9 +44,9 @@ LabColour sequential_path(double t) {
   return from_polar(15 + 78 * t, 45 - 105 * t + 140 * t * t, 308 - 208 * t);
 }
 
-// Straight from each end to the neutral: even by construction, the arms nearly equally long (73 and 79).
+// Straight from each end to the neutral: even by construction, the arms nearly equally long (70 and 74).
 LabColour diverging_path(double t) {
-  const LabColour neutral{96, 0, 0}, blue = from_polar(38, 44, 275), red = from_polar(42, 58, 32);
+  const LabColour neutral{96, 0, 0}, blue = from_polar(38, 39, 275), red = from_polar(42, 50, 32);
   const LabColour& end = t < 0.5 ? blue : red;
   const double s = std::abs(2 * t - 1);
   return {neutral.lightness + s * (end.lightness - neutral.lightness), s * end.a, s * end.b};
@@ -136,11 +136,11 @@ Colour line_colour(std::size_t index) {
 }
 
 Colour area_colour(std::size_t index) {
-  // Hues a golden angle apart never come close within a dozen; two lightnesses keep later ones apart.
-  constexpr double golden_angle_deg = 137.50776405003785;
-  static constexpr std::array<double, 2> lightness{88, 80};
-  const double hue = std::fmod(250 + static_cast<double>(index) * golden_angle_deg, 360.0);
-  return to_srgb(from_polar(lightness[index % 2], 28, hue));
+  // Twelve hues in steps of five twelfths of the circle, light and less light in turn; then somewhat darker again.
+  static constexpr std::array<double, 2> lightness{89, 77};
+  const double darker = 6 * static_cast<double>(index / 12 % 3);
+  const double hue = 240 + 150 * static_cast<double>(index % 12);
+  return to_srgb(from_polar(lightness[index % 2] - darker, 32, hue));
 }
 
 }  // namespace leonhard::draw

@@ -15,8 +15,8 @@ struct FieldLayout {
   Bands bands;
 };
 
-/// The frame's width depends on the colour bar's labels, these on the values in view, that on the frame: the bar is
-/// measured for the frame without it, where at least as much is in view.
+/// The frame's width depends on the colour bar's labels, these on the values in view, that on the frame: the room
+/// for the bar grows until it is enough.
 [[nodiscard]] FieldLayout lay_out_field(Canvas& canvas, const TriangleMesh& mesh,
                                         std::span<const double> values, const FieldOptions& options);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/draw/contours.hpp"
@@ -126,13 +127,19 @@ FieldLayout lay_out_field(Canvas& canvas, const TriangleMesh& mesh, std::span<co
                           const FieldOptions& options) {
   const Box region = region_of(mesh, options.view);
   const AxesText text{options.title, options.x_label, options.y_label};
-  Rect outer{0, 0, canvas.width(), canvas.height()};
-  const MeshScene wide(mesh, fit_map(canvas, outer, region, text));
-  const double room = colour_bar_room(canvas, make_bands(seen(wide, values), options), options.value_label);
-  outer.width -= room - canvas.text_size();
-  const PlotFrame frame = fit_map(canvas, outer, region, text);
-  const Rect bar{frame.area.right() + 0.5 * canvas.text_size(), frame.area.top, room, frame.area.height};
-  return {frame, bar, make_bands(seen(MeshScene(mesh, frame), values), options)};
+  const double em = canvas.text_size();
+  double room = em;
+  for (int round = 0;; ++round) {
+    const PlotFrame frame =
+        fit_map(canvas, {0, 0, canvas.width() - room + em, canvas.height()}, region, text);
+    Bands bands = make_bands(seen(MeshScene(mesh, frame), values), options);
+    const double needed = colour_bar_room(canvas, bands, options.value_label);
+    if (needed <= room || round == 3) {
+      return {
+          frame, {frame.area.right() + 0.5 * em, frame.area.top, room, frame.area.height}, std::move(bands)};
+    }
+    room = needed;
+  }
 }
 
 void draw_field(const std::filesystem::path& path, const TriangleMesh& mesh,
