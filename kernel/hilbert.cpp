@@ -39,7 +39,7 @@ struct Jump {
 };
 
 constexpr auto jumps = [] {
-  constexpr unsigned side = 1U << bits_per_step;
+  constexpr std::size_t side = std::size_t{1} << bits_per_step;
   std::array<std::array<Jump, side * side>, 4> table{};
   for (unsigned start = 0; start < 4; ++start)
     for (unsigned x = 0; x < side; ++x)
