@@ -140,7 +140,7 @@ Colour area_colour(std::size_t index) {
   static constexpr std::array<double, 2> lightness{89, 77};
   const double darker = 6 * static_cast<double>(index / 12 % 3);
   const double hue = 240 + 150 * static_cast<double>(index % 12);
-  return to_srgb(from_polar(lightness[index % 2] - darker, 32, hue));
+  return to_srgb(from_polar(lightness[index % 2] - darker, 28, hue));
 }
 
 }  // namespace leonhard::draw
