@@ -152,6 +152,15 @@ TEST_CASE("region_with_one_value_gives_it_to_attribute_and_area_and_areas_below_
   CHECK(parse_poly(replaced(corner, "7 0.5", "7 -3")).regions[0].max_area == -1);
 }
 
+TEST_CASE("marker_notes_count_only_before_the_first_line_of_data_and_only_if_unambiguous") {
+  CHECK(parse_poly("# marker 9 wing tip \n" + corner).marker_names ==
+        std::map<Marker, std::string>{{9, "wing tip"}});
+  CHECK(parse_poly(corner + "# marker 9 wing\n").marker_names.empty());
+  CHECK(parse_poly("# marker 9 wing\n# marker 9 tail\n" + corner).marker_names.empty());
+  CHECK(parse_poly("# marker 9 wing\n# marker 8 wing\n" + corner).marker_names.empty());
+  CHECK(parse_poly("# marker nine wing\n# marker 9\n# markers 9 a\n" + corner).marker_names.empty());
+}
+
 TEST_CASE("poly_file_without_points_takes_them_from_the_node_file") {
   const std::string poly = "0 2 0 0\n1 0\n1 0 1\n0\n";
   CHECK(io::parse_poly(poly, "2 2 0 0\n0 3 4\n1 5 6\n", "g.poly").points ==
