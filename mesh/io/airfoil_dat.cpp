@@ -81,8 +81,8 @@ std::size_t farthest_from(Point2 p, const std::vector<LocatedPoint>& points) {
   return static_cast<std::size_t>(std::max_element(points.begin(), points.end(), farther) - points.begin());
 }
 
-/// Whether the first line holds Lednicer's counts: two whole numbers, and the last point does not come back to them
-/// as it does to the first point of a curve in Selig's order.
+/// Whether the first line holds Lednicer's counts: two whole numbers, and the last point does not come back
+/// to them as it does to the first point of a curve in Selig's order.
 bool begins_with_counts(const RawCurve& curve) {
   const Point2 first = curve.points.front().at;
   const auto is_count = [](double value) { return value > 1.5 && value < 1e9 && value == std::floor(value); };
@@ -91,8 +91,8 @@ bool begins_with_counts(const RawCurve& curve) {
   return distance(first, curve.points.back().at) > widest_gap * extent;
 }
 
-/// Lednicer's format begins with the numbers of points of the upper and lower side, both of which run from the
-/// leading to the trailing edge. Turns it into Selig's order; leaves a curve in Selig's order alone.
+/// Lednicer's format begins with the numbers of points of the upper and lower side, both of which run from
+/// the leading to the trailing edge. Turns it into Selig's order; leaves a curve in Selig's order alone.
 void undo_lednicer_order(RawCurve& curve) {
   if (!begins_with_counts(curve)) return;
   const Point2 counts = curve.points.front().at;
