@@ -9,7 +9,7 @@ namespace {
 
 // Three stages for second-order upwind differences: B. van Leer, C.-H. Tai and K. G. Powell, AIAA 89-1933, table 1.
 constexpr double stage_share[3] = {0.1918, 0.4929, 1.0};
-constexpr double default_cfl = 1.3;
+constexpr double default_cfl = 2.5;
 constexpr double least_cfl = 1e-3;
 
 /// One iteration from `before`; the last stage's state is left in march.state.
