@@ -67,6 +67,31 @@ Range seen(const MeshScene& scene, std::span<const double> values) {
   return range.low <= range.high ? range : Range{0, 0};
 }
 
+// Is much of the picture a plateau on a level, as a free stream of Mach 2 is? Its contour would show rounding noise.
+bool has_plateau_on_level(const MeshScene& scene, std::span<const double> values, const Bands& bands) {
+  if (bands.levels.size() < 2) return false;
+  const double near = 0.1 * (bands.levels[1] - bands.levels[0]);
+  double all = 0, on_level = 0;
+  for (const TriangleId t : scene.visible()) {
+    const auto p = scene.corners(t);
+    const auto u = values_at(scene, values, t);
+    const double area = std::abs(cross(p[1] - p[0], p[2] - p[0])), mean = (u[0] + u[1] + u[2]) / 3;
+    const auto above = std::ranges::lower_bound(bands.levels, mean - near);
+    all += area;
+    if (above != bands.levels.end() && *above <= mean + near) on_level += area;
+  }
+  return on_level > 0.4 * all;  // a field without plateaus has a fifth of its area there
+}
+
+Bands bands_in_view(const MeshScene& scene, std::span<const double> values, const FieldOptions& options) {
+  const Range range = seen(scene, values);
+  Bands bands = make_bands(range, options);
+  if (options.levels.empty() && has_plateau_on_level(scene, values, bands)) {
+    bands = make_bands(range, options, LevelPlace::between_nice_values);
+  }
+  return bands;
+}
+
 void fill_bands_as_image(Canvas& canvas, const MeshScene& scene, std::span<const double> values,
                          const Bands& bands) {
   const Rect& area = scene.frame().area;
@@ -132,7 +157,7 @@ FieldLayout lay_out_field(Canvas& canvas, const TriangleMesh& mesh, std::span<co
   for (int round = 0;; ++round) {
     const PlotFrame frame =
         fit_map(canvas, {0, 0, canvas.width() - room + em, canvas.height()}, region, text);
-    Bands bands = make_bands(seen(MeshScene(mesh, frame), values), options);
+    Bands bands = bands_in_view(MeshScene(mesh, frame), values, options);
     const double needed = colour_bar_room(canvas, bands, options.value_label);
     if (needed <= room || round == 3) {
       return {

@@ -29,7 +29,8 @@ long long label_stride(double step, std::size_t levels) {
 
 void label_regularly(Bands& bands, double step) {
   const long long stride = label_stride(step, bands.levels.size());
-  for (const double level : bands.levels) bands.is_major.push_back(std::llround(level / step) % stride == 0);
+  for (const double level : bands.levels)
+    bands.is_major.push_back(std::llround(std::floor(level / step + 1e-6)) % stride == 0);
   const double between = step * static_cast<double>(stride);
   for (const double value : multiples(between, bands.range.low, bands.range.high)) {
     bands.labels.push_back({value, label_of(value, between, size_of(bands.range))});
@@ -53,6 +54,22 @@ void label_given(Bands& bands) {
   }
 }
 
+void place_levels(Bands& bands, const Range& data, const FieldOptions& options, LevelPlace place) {
+  const double step = nice_step((bands.range.high - bands.range.low) / options.bands);
+  const double shift = place == LevelPlace::between_nice_values ? 0.5 : 0;
+  // Out to whole steps, unless the range was asked for.
+  if (!options.value_range) {
+    bands.range = {(std::floor(data.low / step - shift + 1e-9) + shift) * step,
+                   (std::ceil(data.high / step - shift - 1e-9) + shift) * step};
+  }
+  const double edge = 1e-6 * step;
+  for (const double level : multiples(step / 2, bands.range.low + edge, bands.range.high - edge)) {
+    const bool odd = std::llround(level / (step / 2)) % 2 != 0;
+    if (odd == (shift > 0)) bands.levels.push_back(level);
+  }
+  label_regularly(bands, step);
+}
+
 void colour_bands(Bands& bands, ColourMap map) {
   const double span = bands.range.high - bands.range.low;
   double low = bands.range.low;
@@ -69,7 +86,7 @@ std::size_t Bands::index_of(double value) const {
   return static_cast<std::size_t>(std::ranges::upper_bound(levels, value) - levels.begin());
 }
 
-Bands make_bands(const Range& data, const FieldOptions& options) {
+Bands make_bands(const Range& data, const FieldOptions& options, LevelPlace place) {
   Bands bands;
   bands.range = options.value_range.value_or(data);
   const double size = size_of(bands.range);
@@ -84,14 +101,7 @@ Bands make_bands(const Range& data, const FieldOptions& options) {
                          [&](double level) { return level > bands.range.low && level < bands.range.high; });
     label_given(bands);
   } else {
-    const double step = nice_step(span / options.bands);
-    // Out to whole steps, unless the range was asked for.
-    if (!options.value_range) {
-      bands.range = {std::floor(data.low / step + 1e-9) * step, std::ceil(data.high / step - 1e-9) * step};
-    }
-    const double edge = 1e-6 * step;
-    bands.levels = multiples(step, bands.range.low + edge, bands.range.high - edge);
-    label_regularly(bands, step);
+    place_levels(bands, data, options, place);
   }
   colour_bands(bands, options.colour_map);
   bands.open_below = data.low < bands.range.low - 1e-9 * span;

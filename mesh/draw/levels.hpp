@@ -21,8 +21,13 @@ struct Bands {
   [[nodiscard]] std::size_t index_of(double value) const;
 };
 
-/// Bands for values that span `data`, in a range if one is given, with `count` bands or the levels given.
-[[nodiscard]] Bands make_bands(const Range& data, const FieldOptions& options);
+/// Where levels that are not given stand: on nice values, or half-way between them, which makes these the middles
+/// of the bands.
+enum class LevelPlace { on_nice_values, between_nice_values };
+
+/// Bands for values that span `data`, in the range and with the number of bands or the levels that are asked for.
+[[nodiscard]] Bands make_bands(const Range& data, const FieldOptions& options,
+                               LevelPlace place = LevelPlace::on_nice_values);
 
 /// A colour bar in a rectangle of the page, with ticks and a label to its right.
 void draw_colour_bar(Canvas& canvas, const Rect& bar, const Bands& bands, const std::string& label);

@@ -50,8 +50,11 @@ struct FieldOptions {
   std::string value_label;  ///< beside the colour bar, unit included
   ColourMap colour_map = ColourMap::sequential;
   std::optional<Range> value_range;  ///< default: the values in view; values beyond get the end colours
-  int bands = 20;  ///< about how many, 1 to 200: levels are 1, 2, 2.5 or 5 times a power of ten apart
-  std::vector<double> levels;  ///< or the levels themselves, strictly rising; then `bands` does not count
+  /// About how many, 1 to 200: levels are 1, 2, 2.5 or 5 times a power of ten apart, on multiples of that, or
+  /// half-way between them where much of the picture is a plateau on such a value (a free stream of Mach 2).
+  int bands = 20;
+  std::vector<double>
+      levels;  ///< or the levels themselves, strictly rising; those beyond the range do not show
   bool contour_lines = true;
   bool show_mesh = false;
 };

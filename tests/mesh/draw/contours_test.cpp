@@ -117,6 +117,17 @@ TEST_CASE("a_range_that_is_asked_for_is_kept_and_says_what_it_cuts") {
   CHECK_FALSE(bands.open_above);
 }
 
+TEST_CASE("levels_between_nice_values_make_these_the_middles_of_bands") {
+  FieldOptions options;
+  options.bands = 10;
+  const Bands bands = make_bands({0.013, 0.987}, options, LevelPlace::between_nice_values);
+  CHECK(bands.range.low == doctest::Approx(-0.05));
+  CHECK(bands.range.high == doctest::Approx(1.05));
+  REQUIRE(bands.levels.size() == 10);
+  CHECK(bands.levels[0] == 0.05);
+  CHECK(bands.levels[9] == 0.95);
+}
+
 TEST_CASE("a_constant_up_to_rounding_is_one_band") {
   const Bands bands = make_bands({0.8, 0.8 + 1e-15}, {});
   CHECK(bands.levels.empty());

@@ -87,6 +87,20 @@ TEST_CASE("levels_are_chosen_for_what_is_in_view") {
   CHECK(range.high < 3);
 }
 
+TEST_CASE("a_plateau_on_a_nice_value_is_one_band_though_it_is_noisy") {
+  const TriangleMesh mesh = test::unit_square(40);
+  int count = 0;
+  // A shock: 2 with noise of alternating sign on two thirds of the square, falling to 1.6 beyond.
+  const auto values = test::values_on(
+      mesh, [&](Point2 p) { return p.x < 0.65 ? 2 + (++count % 2 == 0 ? 1e-4 : -1e-4) : 1.6 + 0.1 * p.y; });
+  const Bands bands = layout_of(mesh, values, {}).bands;
+  CHECK(bands.index_of(2 - 1e-3) == bands.index_of(2 + 1e-3));
+  // Without a plateau, nice values are levels.
+  const Bands even =
+      layout_of(mesh, test::values_on(mesh, [](Point2 p) { return 1.6 + 0.4 * p.x; }), {}).bands;
+  CHECK(std::ranges::find(even.levels, 1.8) != even.levels.end());
+}
+
 TEST_CASE("a_constant_field_is_drawn_in_one_colour") {
   const test::Folder folder;
   const TriangleMesh mesh = test::unit_square(3);
