@@ -188,17 +188,5 @@ LinearReport BlockSystem::solve(std::span<const double> b, std::span<double> x, 
   return report;
 }
 
-void BlockSystem::apply_factors(std::span<const double> b, std::span<double> x) {
-  Petsc& self = *petsc_;
-  PC pc = nullptr;
-  check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
-  check(VecPlaceArray(self.b, b.data()), "VecPlaceArray");
-  check(VecPlaceArray(self.x, x.data()), "VecPlaceArray");
-  const PetscErrorCode code = PCApply(pc, self.b, self.x);
-  VecResetArray(self.b);
-  VecResetArray(self.x);
-  check(code, "PCApply");
-}
-
 }  // namespace solver
 }  // namespace leonhard

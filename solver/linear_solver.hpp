@@ -65,9 +65,6 @@ class BlockSystem {
                                    const LinearOptions& options, const LinearOperator& product = {},
                                    std::stop_token stop = {});
 
-  /// x = (LU)^-1 b with the last factors.
-  void apply_factors(std::span<const double> b, std::span<double> x);
-
  private:
   struct Petsc;
   std::unique_ptr<Petsc> petsc_;

@@ -13,13 +13,14 @@ namespace leonhard::solver {
 
 #if defined(LEONHARD_HAS_TBB)
 struct PartRunner::Arena {
+  explicit Arena(int threads) : tasks(threads) {}
   tbb::task_arena tasks;
 };
 
 PartRunner::PartRunner(int threads) {
   // More than the processors would only make oneTBB complain.
   const int used = std::min(threads, tbb::info::default_concurrency());
-  if (used > 1) arena_ = std::make_unique<Arena>(tbb::task_arena(used));
+  if (used > 1) arena_ = std::make_unique<Arena>(used);
 }
 
 void PartRunner::operator()(std::size_t parts, const std::function<void(std::size_t)>& body) const {
