@@ -34,7 +34,7 @@ IndexRaster::IndexRaster(const Rect& area, double dots)
 // Calls paint(row, first, last) for the samples first <= i < last of each row whose centres lie in the triangle.
 template <class Paint>
 void IndexRaster::scan(const std::array<Point2, 3>& corners, Paint paint) {
-  const auto [low, high] = std::ranges::minmax({corners[0].y, corners[1].y, corners[2].y});
+  const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
   const double rows = double(height_) * samples_, columns = double(width_) * samples_;
   const auto bound = [](double v, double most) {
     return static_cast<std::int64_t>(std::ceil(std::clamp(v, 0.0, most)));
@@ -75,7 +75,7 @@ void IndexRaster::fill(const std::array<Point2, 3>& corners, const std::array<do
   const auto index_at = [&](double value) {
     return std::ranges::upper_bound(levels, value) - levels.begin();
   };
-  const auto [least, most] = std::ranges::minmax(values);
+  const double least = std::ranges::min(values), most = std::ranges::max(values);
   if (index_at(least) == index_at(most)) return fill(corners, static_cast<std::uint16_t>(index_at(least)));
 
   const Vec2 u = p[1] - p[0], v = p[2] - p[0];

@@ -60,8 +60,8 @@ double signed_area2(const TriangleMesh& mesh, const std::vector<VertexId>& loop)
 }
 
 bool touches(const std::array<Point2, 3>& p, const Rect& r) {
-  const auto [left, right] = std::ranges::minmax({p[0].x, p[1].x, p[2].x});
-  const auto [top, bottom] = std::ranges::minmax({p[0].y, p[1].y, p[2].y});
+  const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+  const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
   return right >= r.left && left <= r.right() && bottom >= r.top && top <= r.bottom();
 }
 

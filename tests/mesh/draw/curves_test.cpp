@@ -135,11 +135,11 @@ TEST_CASE("histogram_bars_are_as_high_as_their_counts") {
   draw_histogram(folder / "bars.png", edges, counts, {});
   const test::Pixels picture(folder / "bars.png");
   const std::uint32_t bar = packed(line_colour(0));
-  const auto [left, top, right, bottom] = picture.box_of(bar);
+  const auto box = picture.box_of(bar);
   const auto height_at = [&](double x) {
     int height = 0;
     for (int y = 0; y < picture.height; ++y) {
-      height += picture.at(left + static_cast<int>(x * (right - left)), y) == bar ? 1 : 0;
+      height += picture.at(box[0] + static_cast<int>(x * (box[2] - box[0])), y) == bar ? 1 : 0;
     }
     return height;
   };
