@@ -344,14 +344,17 @@ Point2 Refiner::split_site(const Piece& piece) const {
                     : shell_point(b, a, angles_.shell_tolerance(piece.to));
 }
 
-/// Whether all triangles stay positive when the piece is bent to m: m need not be exactly on it.
+/// Whether the piece can be bent to m, which need not be exactly on it: all triangles stay positive, and the two
+/// beside the piece are rightly destroyed.
 bool Refiner::can_split_at(const Piece& piece, Point2 m) const {
   if (!is_finite(m)) return false;
   for (const SideId s : {piece.side, topology_.twin(piece.side)}) {
     if (!is_real(s)) continue;
     const Point2 from = cells_.point(topology_.origin(s)), to = cells_.point(topology_.destination(s)),
                  apex = cells_.point(topology_.apex(s));
-    if (kernel::orient2d(apex, from, m) != Sign::positive || kernel::orient2d(to, apex, m) != Sign::positive)
+    if (kernel::orient2d(apex, from, m) != Sign::positive ||
+        kernel::orient2d(to, apex, m) != Sign::positive ||
+        kernel::incircle_perturbed(from, to, apex, m) != Sign::positive)
       return false;
   }
   return true;
