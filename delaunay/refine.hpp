@@ -33,7 +33,7 @@ enum class RefineOutcome {
   small_angles_left,    ///< all others meet theirs; those left owe it to small input angles, min_edge or
                         ///< rounding
   vertex_budget_spent,  ///< max_vertices reached; the mesh is valid, some bounds unmet
-  stopped,              ///< a stop was requested; the mesh is valid, some bounds unmet
+  stopped,  ///< a stop was requested; the mesh is valid, some bounds unmet (empty if it came too early)
 };
 
 struct [[nodiscard]] RefineReport {
