@@ -74,7 +74,7 @@ struct SolverCase {
   MarchingChoice marching = MarchingChoice::implicit_ptc;
   int order = 2;
   LimiterChoice limiter = LimiterChoice::venkatakrishnan;
-  double venkatakrishnan_k = 1;
+  double venkatakrishnan_k = 3;
   double residual_drop_orders = 8;
   double entropy_fix = 0.05;
   int max_iterations = 500;         ///< default 500 implicit, 50,000 explicit

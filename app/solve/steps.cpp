@@ -84,6 +84,7 @@ SteadyOptions options_of(const SolveRun& run) {
                     : s.limiter == LimiterChoice::barth_jespersen ? LimiterKind::barth_jespersen
                                                                   : LimiterKind::venkatakrishnan;
   options.venkatakrishnan_k = s.venkatakrishnan_k;
+  options.entropy_fix = s.entropy_fix;
   options.order = s.order;
   options.cfl_start = s.cfl_start;
   options.cfl_max = s.cfl_max;
