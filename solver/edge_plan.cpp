@@ -60,11 +60,14 @@ void fit_gradient(const TriangleMesh& mesh, EdgePlan& plan, std::uint32_t v) {
   }
 }
 
-void deal_out_vertices(const TriangleMesh& mesh, EdgePlan& plan) {
+void choose_parts(const TriangleMesh& mesh, EdgePlan& plan) {
   const auto count =
       static_cast<std::uint32_t>(std::max<std::size_t>(1, plan.vertex_count / EdgePlan::vertices_per_part));
   plan.part_of = graph::recursive_coordinate_bisection(mesh.points.flat(), count).part_of;
   plan.parts.assign(count, PartRange{});
+}
+
+void deal_out_vertices(EdgePlan& plan) {
   for (const std::uint32_t part : plan.part_of) ++plan.parts[part].vertex_end;
   std::uint32_t sum = 0;
   for (PartRange& part : plan.parts) {
@@ -172,7 +175,8 @@ SweepMesh EdgePlan::view() const {
   return {offset.data(), neighbour.data(), slot.data(), part_vertices.data(), ends.data(), metric.data()};
 }
 
-EdgePlan make_edge_plan(const TriangleMesh& mesh) {
+EdgePlan make_edge_plan(const TriangleMesh& mesh, std::span<const std::uint32_t> part_of,
+                        std::uint32_t parts) {
   const EdgeStructure edges = mesh::build_edges(mesh);
   const MedianDual dual = mesh::median_dual(mesh, edges);
   EdgePlan plan;
@@ -181,7 +185,13 @@ EdgePlan make_edge_plan(const TriangleMesh& mesh) {
   list_neighbours(edges, plan);
   plan.slot.resize(plan.neighbour.size());
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) fit_gradient(mesh, plan, v);
-  deal_out_vertices(mesh, plan);
+  if (part_of.empty()) {
+    choose_parts(mesh, plan);
+  } else {
+    plan.part_of.assign(part_of.begin(), part_of.end());
+    plan.parts.assign(parts, PartRange{});
+  }
+  deal_out_vertices(plan);
   list_edges(mesh, edges, dual, plan);
   list_boundary(mesh, plan);
   return plan;

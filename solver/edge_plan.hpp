@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "leonhard/mesh/triangle_mesh.hpp"
@@ -11,10 +12,10 @@ namespace leonhard::solver {
 
 /// Everything that the sweeps read of a mesh, as flat arrays in the order in which they are read.
 ///
-/// Vertices are dealt out to parts of about `vertices_per_part` by recursive coordinate bisection, a number that
-/// depends on the mesh alone. A part lists every edge that touches one of its vertices, so an edge between two parts is
+/// Vertices are dealt out to the caller's parts, or to parts of about `vertices_per_part` by recursive coordinate
+/// bisection, a number that depends on the mesh alone. A part lists every edge that touches one of its vertices, so an edge between two parts is
 /// listed, and its flux computed, twice; each part adds to its own vertices only. The sums of a vertex are therefore
-/// taken in one order whatever the number of threads: the same bits.
+/// taken in one order whatever the parts and the number of threads: the same bits.
 struct EdgePlan {
   static constexpr std::size_t vertices_per_part = 2048;
 
@@ -50,8 +51,10 @@ struct EdgePlan {
 /// Gradients are least squares over the edge neighbours, each equation weighted by the inverse of the distance
 /// (Barth's notes 4.2; exact for linear functions); a vertex whose neighbours lie on one line gets the gradient along it.
 ///
+/// part_of  one a vertex, each below `parts` (a part may be empty); an empty list: parts of the plan's own making
 /// throws  InputError where the mesh is not one (see mesh::build_edges)
 /// Cost O(vertices log parts).
-[[nodiscard]] EdgePlan make_edge_plan(const TriangleMesh& mesh);
+[[nodiscard]] EdgePlan make_edge_plan(const TriangleMesh& mesh, std::span<const std::uint32_t> part_of = {},
+                                      std::uint32_t parts = 0);
 
 }  // namespace leonhard::solver

@@ -28,7 +28,7 @@ EulerResidual::EulerResidual(const EulerProblem& problem, const SpatialOptions& 
     : problem_(problem),
       options_(options),
       kernels_(kernels),
-      plan_(make_edge_plan(problem.mesh)),
+      plan_(make_edge_plan(problem.mesh, options.part_of, options.parts)),
       run_(options.threads),
       boundary_(make_boundary(problem)),
       follows_lift_(leonhard::solver::follows_lift(problem)),

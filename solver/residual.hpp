@@ -16,6 +16,8 @@ struct SpatialOptions {
   double venkatakrishnan_k = 1;  ///< epsilon^2 = (k h / length)^3, h^2 the control volume
   double entropy_fix = 0.05;
   int threads = 1;
+  std::vector<std::uint32_t> part_of;  ///< one a vertex, below parts; empty: see EdgePlan
+  std::uint32_t parts = 0;
 };
 
 /// The scheme's spatial operator: Roe's flux between linearly reconstructed primitive variables through the faces of

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/solver/steady.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -44,11 +45,28 @@ SweepLimiter sweep_limiter(LimiterKind kind) {
 }
 
 SpatialOptions spatial_options(const SteadyOptions& o) {
-  return {o.order, sweep_limiter(o.limiter), o.venkatakrishnan_k, o.entropy_fix, o.threads};
+  return {o.order, sweep_limiter(o.limiter), o.venkatakrishnan_k, o.entropy_fix, o.threads, o.part_of,
+          o.parts};
 }
 
 void require(bool good, const char* name, double value, const char* remedy) {
   if (!good) throw InputError(name, "is " + std::to_string(value), remedy);
+}
+
+void check_parts(const TriangleMesh& mesh, const SteadyOptions& o) {
+  if (o.part_of.empty()) return;
+  if (o.part_of.size() != mesh.vertex_count())
+    throw InputError("part_of",
+                     "has " + std::to_string(o.part_of.size()) + " entries for " +
+                         std::to_string(mesh.vertex_count()) + " vertices",
+                     "give one part a vertex, or none");
+  const auto beyond =
+      std::find_if(o.part_of.begin(), o.part_of.end(), [&](std::uint32_t part) { return part >= o.parts; });
+  if (beyond != o.part_of.end())
+    throw InputError("part_of",
+                     "puts vertex " + std::to_string(beyond - o.part_of.begin()) + " into part " +
+                         std::to_string(*beyond) + " of " + std::to_string(o.parts),
+                     "number the parts from 0 to parts - 1");
 }
 
 void check_options(const EulerProblem& problem, const SteadyOptions& o) {
@@ -73,6 +91,7 @@ void check_options(const EulerProblem& problem, const SteadyOptions& o) {
                      "has " + std::to_string(o.initial.size()) + " states for " +
                          std::to_string(problem.mesh.vertex_count()) + " vertices",
                      "give one state a vertex, or none");
+  check_parts(problem.mesh, o);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -38,6 +39,10 @@ struct SteadyOptions {
   std::optional<int> settle_window;
   int max_iterations = 0;  ///< 0: 500 implicit, 50,000 explicit
   int threads = 1;         ///< >= 1; the result is the same to the bit for any value
+  /// The parts over which the residual and the Jacobian are threaded: one number a vertex, each below `parts` (a part
+  /// may be empty). Empty: parts of the solver's own making. The result is the same to the bit for any parts.
+  std::vector<std::uint32_t> part_of;
+  std::uint32_t parts = 0;
   /// Start from here in place of the free stream; one state a vertex, or empty.
   PerId<VertexId, State> initial;
 };

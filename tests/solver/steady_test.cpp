@@ -157,6 +157,19 @@ TEST_CASE("a_march_has_the_same_bits_for_one_and_two_threads") {
   CHECK(one.history.back().residual_drop_orders == two.history.back().residual_drop_orders);
 }
 
+TEST_CASE("a_march_has_the_same_bits_for_any_partition") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::o_mesh(64, 24, 10, 0.02, test::naca0012);
+  SteadyOptions options;
+  options.max_iterations = 8;
+  const SteadyResult own = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
+  options.parts = 7;  // the last one empty, the others all over the place
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) options.part_of.push_back(v * 5 % 11 % 6);
+  options.threads = 2;
+  const SteadyResult given = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
+  CHECK(own.state == given.state);
+}
+
 TEST_CASE("first_order_runs_and_is_more_diffusive") {
   test::start_petsc();
   const TriangleMesh mesh = test::o_mesh(64, 24, 15, 0.03, test::naca0012);

@@ -183,6 +183,13 @@ TEST_CASE("numbers_out_of_range_are_refused_by_name") {
   options = {};
   options.initial.push_back({1, 0, 0, 1});
   CHECK(says(complaint(good, options), "initial"));
+  options = {};
+  options.parts = 2;
+  options.part_of.assign(3, 0);
+  CHECK(says(complaint(good, options), "has 3 entries"));
+  options.part_of.assign(mesh.vertex_count(), 1);
+  options.part_of[4] = 2;
+  CHECK(says(complaint(good, options), "puts vertex 4 into part 2 of 2"));
 }
 
 }  // namespace
