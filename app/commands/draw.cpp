@@ -45,7 +45,8 @@ draw::View view_of(const DrawCommand& command) {
 
 void draw_named_field(const DrawCommand& command, const TriangleMesh& mesh, const draw::PictureSize& size) {
   if (std::filesystem::path(command.mesh).extension() != ".vtu") {
-    throw InputError(command.mesh, "only .vtu files carry fields such as " + command.field, "give a field.vtu that solve wrote");
+    throw InputError(command.mesh, "only .vtu files carry fields such as " + command.field,
+                     "give a field.vtu that solve wrote");
   }
   const PointField field = io::read_vtu_field(command.mesh, command.field);
   std::vector<double> values(mesh.vertex_count());

@@ -144,15 +144,6 @@ DomainGeometry domain_about_bodies(const Case& c) {
   return domain;
 }
 
-/// The names that [boundary.N] sections give to markers, after checking that sections and markers agree.
-void name_markers(const Case& c, Pslg& pslg) {
-  std::vector<Marker> used;
-  for (const Pslg::Segment& segment : pslg.segments)
-    if (segment.marker != 0) used.push_back(segment.marker);
-  for (const auto& [marker, condition] : match_conditions(c, used, pslg.marker_names, c.domain_file.string()))
-    pslg.marker_names[marker] = condition.name;
-}
-
 DomainGeometry domain_from_file(const Case& c) {
   DomainGeometry domain;
   domain.pslg = io::read_pslg(c.domain_file);
@@ -161,7 +152,6 @@ DomainGeometry domain_from_file(const Case& c) {
                      fmt::format("{} points and {} segments enclose no domain", domain.pslg.points.size(),
                                  domain.pslg.segments.size()),
                      "give the boundary as segments");
-  name_markers(c, domain.pslg);
   const Box box = box_of(domain.pslg.points);
   if (!(box.extent() > 0) || !std::isfinite(box.extent()))
     throw InputError(c.domain_file.string(), fmt::format("the points span {}", box.extent()),
@@ -180,6 +170,14 @@ DomainGeometry domain_from_file(const Case& c) {
 }
 
 }  // namespace
+
+void name_markers(const Case& c, Pslg& pslg) {
+  std::vector<Marker> used;
+  for (const Pslg::Segment& segment : pslg.segments)
+    if (segment.marker != 0) used.push_back(segment.marker);
+  for (const auto& [marker, condition] : match_conditions(c, used, pslg.marker_names, c.domain_file.string()))
+    pslg.marker_names[marker] = condition.name;
+}
 
 DomainGeometry make_domain(const Case& c) {
   if (!c.mesh_file.empty())

@@ -43,4 +43,9 @@ struct DomainGeometry {
 ///        smaller than the body. All by exact predicates.
 [[nodiscard]] DomainGeometry make_domain(const Case&);
 
+/// Give the markers of a domain file's segments the names of their [boundary.N] sections.
+///
+/// throws  InputError on a marker without a condition and on a condition without a marker: early, before any meshing
+void name_markers(const Case&, Pslg&);
+
 }  // namespace leonhard::app

@@ -31,12 +31,13 @@ void draw_matrix(const std::filesystem::path& path, const graph::CsrGraph& graph
   }
   std::vector<draw::MatrixPattern> patterns;
   for (const Numbering& numbering : numberings) {
-    patterns.push_back({.offsets = offsets,
-                        .links = links,
-                        .order = numbering.order,
-                        .title = numbering.name,
-                        .subtitle = fmt::format("bandwidth {}, envelope {}, fill {}", grouped(numbering.cost.bandwidth),
-                                                grouped(numbering.cost.envelope), grouped(numbering.fill))});
+    patterns.push_back(
+        {.offsets = offsets,
+         .links = links,
+         .order = numbering.order,
+         .title = numbering.name,
+         .subtitle = fmt::format("bandwidth {}, envelope {}, fill {}", grouped(numbering.cost.bandwidth),
+                                 grouped(numbering.cost.envelope), grouped(numbering.fill))});
   }
   draw::draw_pattern(path, patterns, title, size);
 }

@@ -93,6 +93,8 @@ SteadyOptions options_of(const SolveRun& run) {
   options.settle_window = s.settle_window;
   options.max_iterations = s.max_iterations;
   options.threads = run.threads;
+  options.part_of = graph::vertex_partition_from_dual(run.mesh, run.triangle_parts).part_of;
+  options.parts = run.triangle_parts.parts;
   return options;
 }
 
@@ -110,6 +112,7 @@ std::optional<double> seconds_left(const std::vector<Iteration>& recent, double 
 std::string step_geometry(SolveRun& run) {
   if (!run.the_case.mesh_file.empty()) return "none: the case names a mesh";
   run.geometry = make_domain(run.the_case);
+  if (!run.the_case.domain_file.empty()) name_markers(run.the_case, run.geometry->pslg);
   const auto& pslg = run.geometry->pslg;
   return fmt::format("{} points, {} segments, {} bodies", grouped(pslg.points.size()),
                      grouped(pslg.segments.size()), run.geometry->body_names.size());

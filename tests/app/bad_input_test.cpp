@@ -17,8 +17,8 @@ const std::string naca = "[[body]]\nnaca = \"0012\"\nspacing = 0.05\n[farfield]\
 
 /// A diamond as airfoil coordinates, with one line replaced.
 std::string airfoil(const std::string& instead = {}, std::size_t at = 0) {
-  std::vector<std::string> lines{"diamond", "1.0 0.0",   "0.7 0.05",  "0.4 0.07", "0.1 0.04",
-                                 "0.0 0.0", "0.1 -0.04", "0.4 -0.07", "0.7 -0.05"};
+  std::vector<std::string> lines{"diamond", "1.0 0.0",   "0.7 0.05",  "0.4 0.07",  "0.1 0.04",
+                                 "0.0 0.0", "0.1 -0.04", "0.4 -0.07", "0.7 -0.05", "1.0 0.0"};
   if (!instead.empty()) lines[at] = instead;
   std::string text;
   for (const auto& line : lines) text += line + "\n";
@@ -131,7 +131,7 @@ TEST_CASE("markers_and_conditions_must_match_both_ways") {
   const ScratchFolder scratch;
   scratch.write("square.su2", square_su2());
   refused(scratch, "mesh = \"square.su2\"\n" + flow, {"outer", "condition"});
-  refused(scratch, mesh_case + "[boundary.inlet]\nkind = \"supersonic-inflow\"\n", {"inlet", "outer"});
+  refused(scratch, mesh_case + "[boundary.inlet]\nkind = \"far-field\"\n", {"inlet", "outer"});
 }
 
 TEST_CASE("an_output_folder_that_cannot_be_made_is_refused_before_any_work") {

@@ -179,7 +179,10 @@ TEST_CASE("a_domain_file_keeps_its_segments_and_gets_names_and_a_size") {
       "domain = \"box.poly\"\n[flow]\nmach = 2\n[boundary.1]\nname = \"wall\"\nkind = "
       "\"slip-wall\"\n[boundary.2]\nkind = \"supersonic-outflow\"\n";
   const auto make = [&](const std::string& text) {
-    return make_domain(read_case(folder.write("c.toml", text)));
+    const Case c = read_case(folder.write("c.toml", text));
+    DomainGeometry domain = make_domain(c);
+    name_markers(c, domain.pslg);
+    return domain;
   };
   const DomainGeometry domain =
       make(head + "[boundary.3]\nname = \"inlet\"\nkind = \"supersonic-inflow\"\n[mesher]\nsize = 0.1\n");
