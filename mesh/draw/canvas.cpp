@@ -19,18 +19,6 @@
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/words.hpp"
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define LEONHARD_LEAK_SANITIZER
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(LEONHARD_LEAK_SANITIZER)
-// Fontconfig, below cairo, keeps its patterns to the end of the process; without this every sanitized program that
-// writes text would end as a leak.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
-#endif
-
 namespace leonhard::draw {
 namespace {
 

@@ -34,7 +34,7 @@ TEST_CASE("solve_writes_a_complete_report") {
   const json report = json::parse(ran.out);
   CHECK(report["outcome"] == "converged");
   CHECK(report["residual_drop_orders"] >= 8.0);
-  CHECK(report["cl"].get<double>() == doctest::Approx(0.179).epsilon(0.1));
+  CHECK(report["cl"].get<double>() == doctest::Approx(0.179).epsilon(0.1).scale(0));
   CHECK(report["euler"]["balances"] == true);
   CHECK(report["area"]["equal"] == true);
   CHECK(report["partition"]["parts"] == 4);
@@ -101,6 +101,7 @@ TEST_CASE("an_interrupt_ends_the_march_soon_writes_what_it_has_and_is_code_4") {
   REQUIRE(child >= 0);
   if (child == 0) {
     if (chdir(scratch.path().c_str()) != 0) _exit(99);
+    setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // as in run()
     execl(LEONHARD_PROGRAM, "leonhard", "solve", "case.toml", "-o", "out", "--quiet",
           static_cast<char*>(nullptr));
     _exit(98);
