@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
@@ -20,23 +21,36 @@ std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Box of the walls with a margin, or the case's own close-up; the whole mesh where there is no wall.
+/// The smallest box about points, grown by a share of its larger side.
+class GrowingBox {
+ public:
+  void add(Point2 p) {
+    box_.low = {std::min(box_.low.x, p.x), std::min(box_.low.y, p.y)};
+    box_.high = {std::max(box_.high.x, p.x), std::max(box_.high.y, p.y)};
+  }
+  [[nodiscard]] bool empty() const { return !(box_.low.x <= box_.high.x); }
+  [[nodiscard]] draw::Box with_margin(double share) const {
+    const double margin = share * std::max(box_.high.x - box_.low.x, box_.high.y - box_.low.y);
+    return {box_.low + Vec2{-margin, -margin}, box_.high + Vec2{margin, margin}};
+  }
+
+ private:
+  static constexpr double far = std::numeric_limits<double>::infinity();
+  draw::Box box_{{far, far}, {-far, -far}};
+};
+
+/// The case's own close-up; else the walls with a margin, but no more than the mesh; the whole mesh without walls.
 draw::View close_up(const SolveRun& run) {
   if (const auto& box = run.the_case.output.close_up)
     return {draw::Box{{(*box)[0], (*box)[1]}, {(*box)[2], (*box)[3]}}};
-  std::optional<draw::Box> walls;
-  for (const SurfaceLine& line : run.flow.surface) {
-    for (const SurfacePoint& point : line.points) {
-      if (!walls) walls = draw::Box{point.at, point.at};
-      walls->low = {std::min(walls->low.x, point.at.x), std::min(walls->low.y, point.at.y)};
-      walls->high = {std::max(walls->high.x, point.at.x), std::max(walls->high.y, point.at.y)};
-    }
-  }
-  if (!walls) return {};
-  const double margin = 0.35 * std::max(walls->high.x - walls->low.x, walls->high.y - walls->low.y);
-  walls->low = walls->low + Vec2{-margin, -margin};
-  walls->high = walls->high + Vec2{margin, margin};
-  return {walls};
+  GrowingBox walls, mesh;
+  for (const SurfaceLine& line : run.flow.surface)
+    for (const SurfacePoint& point : line.points) walls.add(point.at);
+  if (walls.empty()) return {};
+  for (const Point2 p : run.mesh.points) mesh.add(p);
+  const draw::Box near = walls.with_margin(0.35), whole = mesh.with_margin(0.02);
+  return {draw::Box{{std::max(near.low.x, whole.low.x), std::max(near.low.y, whole.low.y)},
+                    {std::min(near.high.x, whole.high.x), std::min(near.high.y, whole.high.y)}}};
 }
 
 std::vector<double> mach_numbers(const SolveRun& run) {
@@ -95,8 +109,9 @@ class Album {
     const std::vector<draw::CurvePanel> panels{
         {{residual},
          {.title = {}, .x_label = "iteration", .y_label = "residual / first residual", .log_y = true}},
-        {{cl, cd}, {.title = {}, .x_label = "iteration", .y_label = "coefficient"}}};
-    draw::draw_panels(path("history.png"), panels, "Convergence");
+        {{cl}, {.title = {}, .x_label = "iteration", .y_label = "CL"}},
+        {{cd}, {.title = {}, .x_label = "iteration", .y_label = "CD"}}};
+    draw::draw_panels(path("history.png"), panels, "Convergence", 1, {.width = 1600, .height = 1200});
     add("Convergence", "The residual against its first value, and the coefficients of lift and drag.");
   }
   void mesh_whole() {
