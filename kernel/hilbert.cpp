@@ -98,7 +98,7 @@ void check(std::span<const Point2> points) {
   if (points.size() > std::numeric_limits<std::uint32_t>::max())
     throw InputError("points", std::to_string(points.size()) + " points do not fit 32-bit indices",
                      "order them in parts");
-  const auto bad = std::find_if_not(points.begin(), points.end(), is_finite);
+  const auto bad = std::find_if_not(points.begin(), points.end(), [](Point2 p) { return is_finite(p); });
   if (bad != points.end())
     throw InputError("points", "point " + std::to_string(bad - points.begin()) + " is not finite",
                      "remove NaN and infinite coordinates");
