@@ -8,9 +8,10 @@
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
 
-/// The predicates of predicates.hpp and predicates3.hpp evaluated in GMP's rational numbers, straight from their definitions: the
-/// oracle of tests and fuzzers, and the last resort of the predicates themselves. Slow (microseconds a call),
-/// right for every finite double; each double converts to a rational without error. Same sign conventions.
+/// The predicates of predicates.hpp and predicates3.hpp evaluated in GMP's rational numbers, straight from their
+/// definitions: the oracle of tests and fuzzers, and the last resort of the predicates themselves. Slow
+/// (microseconds a call), right for every finite double; each double converts to a rational without error. Same sign
+/// conventions.
 namespace leonhard::kernel::exact {
 
 [[nodiscard]] Sign orient2d(Point2 a, Point2 b, Point2 c);

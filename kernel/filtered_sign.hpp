@@ -40,13 +40,13 @@ namespace detail {
 /// Larger than all that underflow can add to the error of a filter, and far above the subnormal numbers.
 inline constexpr double underflow_guard = 0x1p-1000;
 
-/// The sign of value, if |value| - bound is at least the guard and finite: then the value's error, at most `bound`
+/// The sign of value, if |value| - bound is at least `guard` and finite: then the value's error, at most `bound`
 /// and a few smallest numbers, cannot have turned the sign, and nothing has overflowed.
 ///
 /// One comparison of bit patterns does it: those of doubles >= 0 are in the order of the numbers, those of infinity,
 /// NaN and negative numbers come after.
-[[nodiscard]] inline FilteredSign sign_if_beyond(double value, double bound) {
-  constexpr auto lowest = std::bit_cast<std::uint64_t>(underflow_guard);
+[[nodiscard]] inline FilteredSign sign_if_beyond(double value, double bound, double guard = underflow_guard) {
+  const auto lowest = std::bit_cast<std::uint64_t>(guard);
   constexpr auto infinite = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
   const double margin = std::abs(value) - bound;
   if (std::bit_cast<std::uint64_t>(margin) - lowest < infinite - lowest) [[likely]]

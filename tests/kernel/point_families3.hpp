@@ -80,6 +80,16 @@ inline Quintuple any_box(Random& random) {
   return box_corners(random, {any(), any(), any()}, {any(), any(), any()});
 }
 
+/// Three points whose coordinates' products underflow, and others so far away that what was lost would count.
+inline Quintuple tiny_beside_huge(Random& random) {
+  Quintuple points = each_coordinate3([&random] { return any_exponent(random, -538, -536); });
+  for (std::size_t i = 3; i < points.size(); ++i) {
+    const auto far = [&random] { return any_exponent(random, 395, 423); };
+    points[i] = {far(), far(), far()};
+  }
+  return points;
+}
+
 inline std::vector<PointFamily3> point_families3() {
   const auto exponents = [](int low, int high) {
     return [low, high](Random& r) { return each_coordinate3([&] { return any_exponent(r, low, high); }); };
@@ -109,6 +119,7 @@ inline std::vector<PointFamily3> point_families3() {
       {"fifth powers near underflow", exponents(-222, -195)},
       {"cubes near overflow", exponents(330, 345)},
       {"fifth powers near overflow", exponents(195, 208)},
+      {"tiny beside huge", tiny_beside_huge},
       {"some exponents", exponents(-60, 60)},
       {"all exponents", exponents(-1074, 1024)},
   };
