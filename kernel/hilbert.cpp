@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
@@ -70,35 +71,89 @@ std::uint64_t distance_along_curve(std::uint32_t x, std::uint32_t y) {
   return distance;
 }
 
+/// How far along the curve the cell x lies, in space, for coordinates of 21 bits. J. Skilling, "Programming the
+/// Hilbert curve", AIP Conference Proceedings 707 (2004), without branches: masks stand for his tests of a bit.
+std::uint64_t distance_along_curve(std::array<std::uint32_t, 3> x) {
+  constexpr unsigned bits = 21;
+  for (unsigned bit = bits; bit-- > 1;) {
+    const std::uint32_t below = (1U << bit) - 1;
+    for (std::uint32_t& axis : x) {
+      const std::uint32_t is_set = 0U - ((axis >> bit) & 1U);
+      const std::uint32_t exchanged = (x[0] ^ axis) & below & ~is_set;
+      x[0] ^= below & is_set;
+      x[0] ^= exchanged;
+      axis ^= exchanged;
+    }
+  }
+  x[1] ^= x[0];
+  x[2] ^= x[1];
+  std::uint32_t flips = 0;
+  for (unsigned bit = bits; bit-- > 1;) flips ^= (0U - ((x[2] >> bit) & 1U)) & ((1U << bit) - 1);
+  std::uint64_t distance = 0;
+  for (unsigned bit = bits; bit-- > 0;)
+    for (const std::uint32_t axis : x) distance = distance << 1 | (((axis ^ flips) >> bit) & 1U);
+  return distance;
+}
+
 // ---- points to cells ----
 
-/// The bounding square, kept halved where its side would overflow.
-struct Square {
-  double left, bottom, side, scale;
+std::array<double, 2> coordinates(const Point2& p) { return {p.x, p.y}; }
+std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
+
+/// The bounding square or cube, kept halved where its side would overflow.
+template <std::size_t Dimension>
+struct Cube {
+  std::array<double, Dimension> low;
+  double side, scale;
 };
 
-Square bounding_square(std::span<const Point2> points) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Point2 low{infinity, infinity}, high{-infinity, -infinity};
-  for (const Point2 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+template <class Point>
+auto bounding_cube(std::span<const Point> points) {
+  constexpr std::size_t dimension = std::tuple_size_v<decltype(coordinates(Point{}))>;
+  std::array<double, dimension> low = coordinates(points[0]), high = low;
+  for (const Point& p : points) {
+    const auto position = coordinates(p);
+    for (std::size_t i = 0; i < dimension; ++i) {
+      low[i] = std::min(low[i], position[i]);
+      high[i] = std::max(high[i], position[i]);
+    }
   }
-  const double scale = std::isfinite(high.x - low.x) && std::isfinite(high.y - low.y) ? 1.0 : 0.5;
-  const double width = scale * high.x - scale * low.x, height = scale * high.y - scale * low.y;
-  return {scale * low.x, scale * low.y, std::max(width, height), scale};
+  Cube<dimension> cube{low, 0, 1};
+  for (std::size_t i = 0; i < dimension; ++i)
+    if (!std::isfinite(high[i] - low[i])) cube.scale = 0.5;
+  for (std::size_t i = 0; i < dimension; ++i) {
+    cube.low[i] *= cube.scale;
+    cube.side = std::max(cube.side, cube.scale * high[i] - cube.low[i]);
+  }
+  return cube;
 }
 
-std::uint32_t cell_of(double coordinate, double low, const Square& square) {
-  if (!(square.side > 0)) return 0;
-  return static_cast<std::uint32_t>((square.scale * coordinate - low) / square.side * 0x7fffffffp0);
+/// The cell of a point on a grid of largest + 1 cells a side.
+template <class Point, std::size_t Dimension>
+std::array<std::uint32_t, Dimension> cell_of(const Point& p, const Cube<Dimension>& cube, double largest) {
+  std::array<std::uint32_t, Dimension> cell{};
+  if (!(cube.side > 0)) return cell;
+  const auto position = coordinates(p);
+  for (std::size_t i = 0; i < Dimension; ++i)
+    cell[i] = static_cast<std::uint32_t>((cube.scale * position[i] - cube.low[i]) / cube.side * largest);
+  return cell;
 }
 
-void check(std::span<const Point2> points) {
+std::uint64_t key_of(const Point2& p, const Cube<2>& square) {
+  const auto [x, y] = cell_of(p, square, 0x7fffffffp0);
+  return distance_along_curve(x, y);
+}
+std::uint64_t key_of(const Point3& p, const Cube<3>& cube) {
+  return distance_along_curve(cell_of(p, cube, 0x1fffffp0));
+}
+
+template <class Point>
+void check(std::span<const Point> points) {
   if (points.size() > std::numeric_limits<std::uint32_t>::max())
     throw InputError("points", std::to_string(points.size()) + " points do not fit 32-bit indices",
                      "order them in parts");
-  const auto bad = std::find_if_not(points.begin(), points.end(), [](Point2 p) { return is_finite(p); });
+  const auto bad =
+      std::find_if_not(points.begin(), points.end(), [](const Point& p) { return is_finite(p); });
   if (bad != points.end())
     throw InputError("points", "point " + std::to_string(bad - points.begin()) + " is not finite",
                      "remove NaN and infinite coordinates");
@@ -128,7 +183,8 @@ void sort_by_key(std::vector<Keyed>& items) {
   }
 }
 
-void order_within_cells(std::vector<Keyed>& items, std::span<const Point2> points) {
+template <class Point>
+void order_within_cells(std::vector<Keyed>& items, std::span<const Point> points) {
   const auto before = [points](const Keyed& a, const Keyed& b) {
     if (points[a.index] < points[b.index]) return true;
     return points[a.index] == points[b.index] && a.index < b.index;
@@ -141,23 +197,24 @@ void order_within_cells(std::vector<Keyed>& items, std::span<const Point2> point
   }
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> hilbert_order(std::span<const Point2> points) {
+template <class Point>
+std::vector<std::uint32_t> order_along_curve(std::span<const Point> points) {
   check(points);
   if (points.empty()) return {};
-  const Square square = bounding_square(points);
+  const auto cube = bounding_cube(points);
   std::vector<Keyed> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t x = cell_of(points[i].x, square.left, square);
-    const std::uint32_t y = cell_of(points[i].y, square.bottom, square);
-    items[i] = {distance_along_curve(x, y), static_cast<std::uint32_t>(i)};
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    items[i] = {key_of(points[i], cube), static_cast<std::uint32_t>(i)};
   sort_by_key(items);
   order_within_cells(items, points);
   std::vector<std::uint32_t> order(points.size());
   std::ranges::transform(items, order.begin(), &Keyed::index);
   return order;
 }
+
+}  // namespace
+
+std::vector<std::uint32_t> hilbert_order(std::span<const Point2> points) { return order_along_curve(points); }
+std::vector<std::uint32_t> hilbert_order(std::span<const Point3> points) { return order_along_curve(points); }
 
 }  // namespace leonhard::kernel

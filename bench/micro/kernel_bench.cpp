@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Predicates of the plane on easy and hard points, and Hilbert order; predicate_bench.hpp says what is measured.
+// Predicates of the plane on easy and hard points, and insertion orders; predicate_bench.hpp says what is measured.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "bench/micro/predicate_bench.hpp"
 #include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/hilbert.hpp"
+#include "leonhard/kernel/insertion_order.hpp"
 #include "leonhard/kernel/predicates.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Point2;
+using leonhard::Point3;
 using leonhard::Sign;
 using leonhard::Vec2;
 using leonhard::benching::Random;
@@ -98,18 +101,33 @@ struct IncirclePerturbed : Incircle {
   }
 };
 
-void bench_hilbert_order(benchmark::State& state) {
+template <class Point>
+std::vector<Point> uniform_points(std::int64_t count) {
   Random random(2);
-  std::vector<Point2> points(static_cast<std::size_t>(state.range(0)));
-  for (Point2& p : points) p = {unit(random), unit(random)};
+  std::vector<Point> points(static_cast<std::size_t>(count));
+  for (Point& p : points) {
+    p = {unit(random), unit(random)};
+    if constexpr (std::is_same_v<Point, Point3>) p.z = unit(random);
+  }
+  return points;
+}
+
+template <class Point>
+void bench_hilbert_order(benchmark::State& state) {
+  const auto points = uniform_points<Point>(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(k::hilbert_order(points));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
-BENCHMARK(bench_hilbert_order)
-    ->Name("hilbert_order")
-    ->Arg(10'000)
-    ->Arg(1'000'000)
-    ->Unit(benchmark::kMillisecond);
+template <class Point>
+void bench_brio_order(benchmark::State& state) {
+  const auto points = uniform_points<Point>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(k::brio_order(points, 1));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void register_order(const char* name, void (*function)(benchmark::State&)) {
+  benchmark::RegisterBenchmark(name, function)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+}
 
 const bool registered = [] {
   const std::vector<std::pair<std::string, Input>> inputs{{"uniform", uniform()},
@@ -121,6 +139,10 @@ const bool registered = [] {
   leonhard::benching::register_predicate<Orient2d>("orient2d", inputs);
   leonhard::benching::register_predicate<Incircle>("incircle", inputs);
   leonhard::benching::register_predicate<IncirclePerturbed>("incircle_perturbed", inputs);
+  register_order("hilbert_order", bench_hilbert_order<Point2>);
+  register_order("hilbert_order_3d", bench_hilbert_order<Point3>);
+  register_order("brio_order", bench_brio_order<Point2>);
+  register_order("brio_order_3d", bench_brio_order<Point3>);
   return true;
 }();
 
