@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -15,7 +16,7 @@
 namespace leonhard::kernel {
 namespace {
 
-// ---- the curve on a grid ----
+// ---- the curve on a grid of the plane ----
 
 /// The curve fills a square in one of four attitudes: as given, mirrored at either diagonal, turned by 180
 /// degrees. In attitude s the quadrant (x bit, y bit) is the rank-th that the curve visits, and the curve
@@ -71,27 +72,73 @@ std::uint64_t distance_along_curve(std::uint32_t x, std::uint32_t y) {
   return distance;
 }
 
-/// How far along the curve the cell x lies, in space, for coordinates of 21 bits. J. Skilling, "Programming the
-/// Hilbert curve", AIP Conference Proceedings 707 (2004), without branches: masks stand for his tests of a bit.
-std::uint64_t distance_along_curve(std::array<std::uint32_t, 3> x) {
-  constexpr unsigned bits = 21;
-  for (unsigned bit = bits; bit-- > 1;) {
-    const std::uint32_t below = (1U << bit) - 1;
-    for (std::uint32_t& axis : x) {
-      const std::uint32_t is_set = 0U - ((axis >> bit) & 1U);
-      const std::uint32_t exchanged = (x[0] ^ axis) & below & ~is_set;
-      x[0] ^= below & is_set;
-      x[0] ^= exchanged;
-      axis ^= exchanged;
+// ---- the curve on a grid of space ----
+
+/// Hamilton's rules ("Compact Hilbert indices", Dalhousie University CS-2006-07, sections 2.1 to 2.3) for three
+/// dimensions: the curve enters a cube at the corner `entry` and leaves it along the axis `axis`. Corners and octants
+/// are numbers of three bits.
+struct Attitude {
+  unsigned entry, axis;
+};
+
+constexpr unsigned rotated_left(unsigned octant, unsigned by) {
+  return ((octant << by % 3) | (octant >> (3 - by % 3))) & 7U;
+}
+constexpr unsigned gray_code(unsigned rank) { return rank ^ (rank >> 1); }
+
+struct RankAndAttitude {
+  unsigned rank;
+  Attitude inside;
+};
+
+/// When the curve visits an octant of a cube, and its attitude inside.
+constexpr RankAndAttitude visit(Attitude cube, unsigned octant) {
+  const unsigned turned =
+      rotated_left(octant ^ cube.entry, 2 - cube.axis);          // a rotation to the right by axis + 1
+  const unsigned rank = turned ^ (turned >> 1) ^ (turned >> 2);  // the inverse of gray_code
+  const unsigned entry = rank == 0 ? 0 : gray_code((rank - 1) & ~1U);
+  const unsigned axis = rank == 0 ? 0 : static_cast<unsigned>(std::countr_one(rank - 1 + rank % 2)) % 3;
+  return {rank, {cube.entry ^ rotated_left(entry, cube.axis + 1), (cube.axis + axis + 1) % 3}};
+}
+
+constexpr unsigned space_bits_per_step = 3;
+constexpr unsigned space_steps = 7;  // 21 bits
+
+/// The bits of an octant three places apart: a step's index is made of three bits each of x, y, z.
+constexpr unsigned spread(unsigned octant) { return (octant & 4U) << 4 | (octant & 2U) << 2 | (octant & 1U); }
+
+/// The rules applied space_bits_per_step times, for 8 entries times 3 axes: the ranks reached times 32, plus the
+/// attitude of the small cube, which is 3 entry + axis.
+constexpr auto space_jumps = [] {
+  std::array<std::array<std::uint16_t, 512>, 24> table{};
+  for (unsigned start = 0; start < table.size(); ++start)
+    for (unsigned first = 0; first < 8; ++first) {
+      const RankAndAttitude one = visit({start / 3, start % 3}, first);
+      for (unsigned second = 0; second < 8; ++second) {
+        const RankAndAttitude two = visit(one.inside, second);
+        for (unsigned third = 0; third < 8; ++third) {
+          const RankAndAttitude last = visit(two.inside, third);
+          const unsigned index = spread(first) << 2 | spread(second) << 1 | spread(third);
+          const unsigned ranks = one.rank << 6 | two.rank << 3 | last.rank;
+          table[start][index] =
+              static_cast<std::uint16_t>(ranks << 5 | (3 * last.inside.entry + last.inside.axis));
+        }
+      }
     }
-  }
-  x[1] ^= x[0];
-  x[2] ^= x[1];
-  std::uint32_t flips = 0;
-  for (unsigned bit = bits; bit-- > 1;) flips ^= (0U - ((x[2] >> bit) & 1U)) & ((1U << bit) - 1);
+  return table;
+}();
+
+/// How far along the curve the cell (x, y, z) lies, for coordinates of 21 bits.
+std::uint64_t distance_along_curve(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   std::uint64_t distance = 0;
-  for (unsigned bit = bits; bit-- > 0;)
-    for (const std::uint32_t axis : x) distance = distance << 1 | (((axis ^ flips) >> bit) & 1U);
+  unsigned attitude = 2;  // enters at the origin, leaves along x
+  for (unsigned step = space_steps; step-- > 0;) {
+    const unsigned shift = step * space_bits_per_step;
+    const std::uint16_t jump =
+        space_jumps[attitude][((x >> shift) & 7U) << 6 | ((y >> shift) & 7U) << 3 | ((z >> shift) & 7U)];
+    distance = distance << 9 | (jump >> 5);
+    attitude = jump & 31U;
+  }
   return distance;
 }
 
@@ -144,7 +191,8 @@ std::uint64_t key_of(const Point2& p, const Cube<2>& square) {
   return distance_along_curve(x, y);
 }
 std::uint64_t key_of(const Point3& p, const Cube<3>& cube) {
-  return distance_along_curve(cell_of(p, cube, 0x1fffffp0));
+  const auto [x, y, z] = cell_of(p, cube, 0x1fffffp0);
+  return distance_along_curve(x, y, z);
 }
 
 template <class Point>

@@ -43,8 +43,8 @@ Input sphere() {
   });
 }
 
-/// Cells of a 16 x 16 x 16 grid of the given spacing: each call asks about five corners of one cell, four of them in one
-/// face: always a tie, of orient3d and of insphere.
+/// Cells of a 16 x 16 x 16 grid of the given spacing: each call asks about five corners of one cell, four of them in
+/// one face: always a tie, of orient3d and of insphere.
 Input grid(double origin, double spacing) {
   constexpr std::uint32_t side = 16;
   Input input;

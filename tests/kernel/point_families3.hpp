@@ -90,6 +90,16 @@ inline Quintuple tiny_beside_huge(Random& random) {
   return points;
 }
 
+/// Drawn points times a power of two, to bring their last bits where products would lose them.
+template <class Draw>
+auto scaled(Draw draw, double factor) {
+  return [draw, factor](Random& random) {
+    Quintuple points = draw(random);
+    for (Point3& p : points) p = {factor * p.x, factor * p.y, factor * p.z};
+    return points;
+  };
+}
+
 inline std::vector<PointFamily3> point_families3() {
   const auto exponents = [](int low, int high) {
     return [low, high](Random& r) { return each_coordinate3([&] { return any_exponent(r, low, high); }); };
@@ -119,6 +129,8 @@ inline std::vector<PointFamily3> point_families3() {
       {"fifth powers near underflow", exponents(-222, -195)},
       {"cubes near overflow", exponents(330, 345)},
       {"fifth powers near overflow", exponents(195, 208)},
+      {"nearly a box, fifth powers of last bits near underflow", scaled(nearly_a_box, 0x1p-165)},
+      {"nearly coplanar, cubes of last bits near underflow", scaled(nearly_coplanar, 0x1p-310)},
       {"tiny beside huge", tiny_beside_huge},
       {"some exponents", exponents(-60, 60)},
       {"all exponents", exponents(-1074, 1024)},

@@ -18,7 +18,7 @@ using namespace leonhard::testing;
 
 namespace {
 
-/// Checks a predicate and its exact part on all 22 families.
+/// Checks a predicate and its exact part on all 24 families.
 template <class Predicate, class Exact, class Oracle>
 void check_against_oracle(int calls_a_family, Predicate predicate, Exact exact_part, Oracle oracle) {
   Random random(20240301);
