@@ -49,13 +49,19 @@ class Input {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(tenths) + take<std::uint8_t>() % 4);
   }
 
-  /// A point whose coordinates are of one kind: 0 finite, 1 small, 2 nearly_tenths, repeated beyond.
+  /// A number of one kind: 0 finite, 1 small, 2 nearly_tenths, repeated beyond.
+  [[nodiscard]] double coordinate(unsigned kind) {
+    return kind % 3 == 0 ? finite() : kind % 3 == 1 ? small() : nearly_tenths();
+  }
+
+  /// A point whose coordinates are of one kind.
   [[nodiscard]] Point2 point(unsigned kind) {
-    const auto coordinate = [this, kind] {
-      return kind % 3 == 0 ? finite() : kind % 3 == 1 ? small() : nearly_tenths();
-    };
-    const double x = coordinate();
-    return {x, coordinate()};
+    const double x = coordinate(kind);
+    return {x, coordinate(kind)};
+  }
+  [[nodiscard]] Point3 point3(unsigned kind) {
+    const double x = coordinate(kind), y = coordinate(kind);
+    return {x, y, coordinate(kind)};
   }
 
  private:
@@ -66,6 +72,12 @@ class Input {
 [[noreturn]] inline void report(const char* broken, std::span<const Point2> points) {
   std::fprintf(stderr, "\n%s\n  const std::vector<Point2> points{", broken);
   for (const Point2 p : points) std::fprintf(stderr, "{%a, %a}, ", p.x, p.y);
+  std::fprintf(stderr, "};\n");
+  std::abort();
+}
+[[noreturn]] inline void report(const char* broken, std::span<const Point3> points) {
+  std::fprintf(stderr, "\n%s\n  const std::vector<Point3> points{", broken);
+  for (const Point3& p : points) std::fprintf(stderr, "{%a, %a, %a}, ", p.x, p.y, p.z);
   std::fprintf(stderr, "};\n");
   std::abort();
 }

@@ -17,6 +17,19 @@ ExactVec2 difference(Point2 a, Point2 b) {
 mpq_class dot(const ExactVec2& u, const ExactVec2& v) { return u.x * v.x + u.y * v.y; }
 mpq_class cross(const ExactVec2& u, const ExactVec2& v) { return u.x * v.y - u.y * v.x; }
 
+struct ExactVec3 {
+  mpq_class x, y, z;
+};
+
+ExactVec3 difference(const Point3& a, const Point3& b) {
+  return {mpq_class(a.x) - mpq_class(b.x), mpq_class(a.y) - mpq_class(b.y), mpq_class(a.z) - mpq_class(b.z)};
+}
+
+mpq_class dot(const ExactVec3& u, const ExactVec3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+ExactVec3 cross(const ExactVec3& u, const ExactVec3& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
 }  // namespace
 
 Sign orient2d(Point2 a, Point2 b, Point2 c) { return sign_of(cross(difference(a, c), difference(b, c))); }
@@ -33,6 +46,28 @@ Sign in_diametral_circle(Point2 p, Point2 a, Point2 b) {
 
 Sign compare_distance(Point2 p, Point2 a, Point2 b) {
   const ExactVec2 u = difference(a, p), v = difference(b, p);
+  const mpq_class squares_difference = dot(u, u) - dot(v, v);
+  return sign_of(squares_difference);
+}
+
+Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  return sign_of(dot(cross(difference(b, a), difference(c, a)), difference(d, a)));
+}
+
+Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
+  const ExactVec3 u = difference(a, e), v = difference(b, e), w = difference(c, e), t = difference(d, e);
+  const ExactVec3 uv = cross(u, v), wt = cross(w, t);
+  const mpq_class determinant =
+      dot(u, u) * dot(wt, v) - dot(v, v) * dot(wt, u) + dot(w, w) * dot(uv, t) - dot(t, t) * dot(uv, w);
+  return sign_of(determinant);
+}
+
+Sign in_diametral_sphere(const Point3& p, const Point3& a, const Point3& b) {
+  return -sign_of(dot(difference(a, p), difference(b, p)));
+}
+
+Sign compare_distance(const Point3& p, const Point3& a, const Point3& b) {
+  const ExactVec3 u = difference(a, p), v = difference(b, p);
   const mpq_class squares_difference = dot(u, u) - dot(v, v);
   return sign_of(squares_difference);
 }

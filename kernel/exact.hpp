@@ -8,15 +8,22 @@
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
 
-/// The predicates of predicates.hpp evaluated in GMP's rational numbers, straight from their definitions: the
-/// oracle of tests and fuzzers, and the last resort of the predicates themselves. Slow (microseconds a call),
-/// right for every finite double; each double converts to a rational without error. Same sign conventions.
+/// The predicates of predicates.hpp and predicates3.hpp evaluated in GMP's rational numbers, straight from their
+/// definitions: the oracle of tests and fuzzers, and the last resort of the predicates themselves. Slow
+/// (microseconds a call), right for every finite double; each double converts to a rational without error. Same sign
+/// conventions.
 namespace leonhard::kernel::exact {
 
 [[nodiscard]] Sign orient2d(Point2 a, Point2 b, Point2 c);
 [[nodiscard]] Sign incircle(Point2 a, Point2 b, Point2 c, Point2 d);
 [[nodiscard]] Sign in_diametral_circle(Point2 p, Point2 a, Point2 b);
 [[nodiscard]] Sign compare_distance(Point2 p, Point2 a, Point2 b);
+
+[[nodiscard]] Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+[[nodiscard]] Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                            const Point3& e);
+[[nodiscard]] Sign in_diametral_sphere(const Point3& p, const Point3& a, const Point3& b);
+[[nodiscard]] Sign compare_distance(const Point3& p, const Point3& a, const Point3& b);
 
 /// Twice the signed area of a closed polygon (the last point joins the first), exact.
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -59,6 +60,12 @@ struct TwoTerms {
 
 [[nodiscard]] inline TwoTerms two_product(double a, double b) { return two_product(a, b, split(b)); }
 
+/// No expansion has more terms: they do not overlap, so each has a bit to itself, from 2^1023 down to 2^-1074.
+inline constexpr std::size_t most_terms = 1024 + 1074;
+
+/// The room that so many terms need at most.
+[[nodiscard]] constexpr std::size_t capacity_for(std::size_t terms) { return std::min(terms, most_terms); }
+
 /// The exact sum of up to Capacity doubles: non-overlapping, none of them zero, smallest first.
 ///
 /// Zeros are left out as they arise, so that the cost follows the length that the numbers really have:
@@ -105,8 +112,8 @@ class Expansion {
 
 /// Theorem 13, fast expansion sum: merge by magnitude, then one running two_sum.
 template <std::size_t N, std::size_t M>
-[[nodiscard]] Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
-  Expansion<N + M> sum;
+[[nodiscard]] Expansion<capacity_for(N + M)> operator+(const Expansion<N>& e, const Expansion<M>& f) {
+  Expansion<capacity_for(N + M)> sum;
   double rest = 0;
   std::size_t i = 0, j = 0;
   while (i < e.size() || j < f.size()) {
@@ -120,14 +127,14 @@ template <std::size_t N, std::size_t M>
 }
 
 template <std::size_t N, std::size_t M>
-[[nodiscard]] Expansion<N + M> operator-(const Expansion<N>& e, const Expansion<M>& f) {
+[[nodiscard]] Expansion<capacity_for(N + M)> operator-(const Expansion<N>& e, const Expansion<M>& f) {
   return e + -f;
 }
 
 /// Theorem 19, scale expansion.
 template <std::size_t N>
-[[nodiscard]] Expansion<2 * N> operator*(const Expansion<N>& e, double factor) {
-  Expansion<2 * N> product;
+[[nodiscard]] Expansion<capacity_for(2 * N)> operator*(const Expansion<N>& e, double factor) {
+  Expansion<capacity_for(2 * N)> product;
   if (e.size() == 0 || factor == 0) return product;
   const TwoTerms halves = split(factor);
   double rest = 0;
@@ -146,20 +153,22 @@ template <std::size_t N>
 /// The sum of e f[i] over the next Terms of f from `begin` on, by halves: a term passes through log2(Terms)
 /// additions, and halves that f does not reach cost nothing.
 template <std::size_t Terms, std::size_t N, std::size_t M>
-[[nodiscard]] Expansion<2 * N * Terms> partial_product(const Expansion<N>& e, const Expansion<M>& f,
-                                                       std::size_t begin) {
+[[nodiscard]] Expansion<capacity_for(2 * N * Terms)> partial_product(const Expansion<N>& e,
+                                                                     const Expansion<M>& f,
+                                                                     std::size_t begin) {
   if constexpr (Terms == 1) {
     return e * f[begin];
   } else {
     constexpr std::size_t half = Terms / 2;
-    if (f.size() <= begin + half) return Expansion<2 * N * Terms>(partial_product<half>(e, f, begin));
+    if (f.size() <= begin + half)
+      return Expansion<capacity_for(2 * N * Terms)>(partial_product<half>(e, f, begin));
     return partial_product<half>(e, f, begin) + partial_product<Terms - half>(e, f, begin + half);
   }
 }
 
 /// Exact product; cheapest if f is the shorter one.
 template <std::size_t N, std::size_t M>
-[[nodiscard]] Expansion<2 * N * M> operator*(const Expansion<N>& e, const Expansion<M>& f) {
+[[nodiscard]] Expansion<capacity_for(2 * N * M)> operator*(const Expansion<N>& e, const Expansion<M>& f) {
   if (f.size() == 0) return {};
   return partial_product<M>(e, f, 0);
 }

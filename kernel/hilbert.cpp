@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
@@ -14,7 +16,7 @@
 namespace leonhard::kernel {
 namespace {
 
-// ---- the curve on a grid ----
+// ---- the curve on a grid of the plane ----
 
 /// The curve fills a square in one of four attitudes: as given, mirrored at either diagonal, turned by 180
 /// degrees. In attitude s the quadrant (x bit, y bit) is the rank-th that the curve visits, and the curve
@@ -70,35 +72,136 @@ std::uint64_t distance_along_curve(std::uint32_t x, std::uint32_t y) {
   return distance;
 }
 
-// ---- points to cells ----
+// ---- the curve on a grid of space ----
 
-/// The bounding square, kept halved where its side would overflow.
-struct Square {
-  double left, bottom, side, scale;
+/// Hamilton's rules ("Compact Hilbert indices", Dalhousie University CS-2006-07, sections 2.1 to 2.3) for three
+/// dimensions: the curve enters a cube at the corner `entry` and leaves it along the axis `axis`. Corners and octants
+/// are numbers of three bits.
+struct Attitude {
+  unsigned entry, axis;
 };
 
-Square bounding_square(std::span<const Point2> points) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Point2 low{infinity, infinity}, high{-infinity, -infinity};
-  for (const Point2 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+constexpr unsigned rotated_left(unsigned octant, unsigned by) {
+  return ((octant << by % 3) | (octant >> (3 - by % 3))) & 7U;
+}
+constexpr unsigned gray_code(unsigned rank) { return rank ^ (rank >> 1); }
+
+struct RankAndAttitude {
+  unsigned rank;
+  Attitude inside;
+};
+
+/// When the curve visits an octant of a cube, and its attitude inside.
+constexpr RankAndAttitude visit(Attitude cube, unsigned octant) {
+  const unsigned turned =
+      rotated_left(octant ^ cube.entry, 2 - cube.axis);          // a rotation to the right by axis + 1
+  const unsigned rank = turned ^ (turned >> 1) ^ (turned >> 2);  // the inverse of gray_code
+  const unsigned entry = rank == 0 ? 0 : gray_code((rank - 1) & ~1U);
+  const unsigned axis = rank == 0 ? 0 : static_cast<unsigned>(std::countr_one(rank - 1 + rank % 2)) % 3;
+  return {rank, {cube.entry ^ rotated_left(entry, cube.axis + 1), (cube.axis + axis + 1) % 3}};
+}
+
+constexpr unsigned space_bits_per_step = 3;
+constexpr unsigned space_steps = 7;  // 21 bits
+
+/// The bits of an octant three places apart: a step's index is made of three bits each of x, y, z.
+constexpr unsigned spread(unsigned octant) { return (octant & 4U) << 4 | (octant & 2U) << 2 | (octant & 1U); }
+
+/// The rules applied space_bits_per_step times, for 8 entries times 3 axes: the ranks reached times 32, plus the
+/// attitude of the small cube, which is 3 entry + axis.
+constexpr auto space_jumps = [] {
+  std::array<std::array<std::uint16_t, 512>, 24> table{};
+  for (unsigned start = 0; start < table.size(); ++start)
+    for (unsigned first = 0; first < 8; ++first) {
+      const RankAndAttitude one = visit({start / 3, start % 3}, first);
+      for (unsigned second = 0; second < 8; ++second) {
+        const RankAndAttitude two = visit(one.inside, second);
+        for (unsigned third = 0; third < 8; ++third) {
+          const RankAndAttitude last = visit(two.inside, third);
+          const unsigned index = spread(first) << 2 | spread(second) << 1 | spread(third);
+          const unsigned ranks = one.rank << 6 | two.rank << 3 | last.rank;
+          table[start][index] =
+              static_cast<std::uint16_t>(ranks << 5 | (3 * last.inside.entry + last.inside.axis));
+        }
+      }
+    }
+  return table;
+}();
+
+/// How far along the curve the cell (x, y, z) lies, for coordinates of 21 bits.
+std::uint64_t distance_along_curve(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  std::uint64_t distance = 0;
+  unsigned attitude = 2;  // enters at the origin, leaves along x
+  for (unsigned step = space_steps; step-- > 0;) {
+    const unsigned shift = step * space_bits_per_step;
+    const std::uint16_t jump =
+        space_jumps[attitude][((x >> shift) & 7U) << 6 | ((y >> shift) & 7U) << 3 | ((z >> shift) & 7U)];
+    distance = distance << 9 | (jump >> 5);
+    attitude = jump & 31U;
   }
-  const double scale = std::isfinite(high.x - low.x) && std::isfinite(high.y - low.y) ? 1.0 : 0.5;
-  const double width = scale * high.x - scale * low.x, height = scale * high.y - scale * low.y;
-  return {scale * low.x, scale * low.y, std::max(width, height), scale};
+  return distance;
 }
 
-std::uint32_t cell_of(double coordinate, double low, const Square& square) {
-  if (!(square.side > 0)) return 0;
-  return static_cast<std::uint32_t>((square.scale * coordinate - low) / square.side * 0x7fffffffp0);
+// ---- points to cells ----
+
+std::array<double, 2> coordinates(const Point2& p) { return {p.x, p.y}; }
+std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
+
+/// The bounding square or cube, kept halved where its side would overflow.
+template <std::size_t Dimension>
+struct Cube {
+  std::array<double, Dimension> low;
+  double side, scale;
+};
+
+template <class Point>
+auto bounding_cube(std::span<const Point> points) {
+  constexpr std::size_t dimension = std::tuple_size_v<decltype(coordinates(Point{}))>;
+  std::array<double, dimension> low = coordinates(points[0]), high = low;
+  for (const Point& p : points) {
+    const auto position = coordinates(p);
+    for (std::size_t i = 0; i < dimension; ++i) {
+      low[i] = std::min(low[i], position[i]);
+      high[i] = std::max(high[i], position[i]);
+    }
+  }
+  Cube<dimension> cube{low, 0, 1};
+  for (std::size_t i = 0; i < dimension; ++i)
+    if (!std::isfinite(high[i] - low[i])) cube.scale = 0.5;
+  for (std::size_t i = 0; i < dimension; ++i) {
+    cube.low[i] *= cube.scale;
+    cube.side = std::max(cube.side, cube.scale * high[i] - cube.low[i]);
+  }
+  return cube;
 }
 
-void check(std::span<const Point2> points) {
+/// The cell of a point on a grid of largest + 1 cells a side.
+template <class Point, std::size_t Dimension>
+std::array<std::uint32_t, Dimension> cell_of(const Point& p, const Cube<Dimension>& cube, double largest) {
+  std::array<std::uint32_t, Dimension> cell{};
+  if (!(cube.side > 0)) return cell;
+  const auto position = coordinates(p);
+  for (std::size_t i = 0; i < Dimension; ++i)
+    cell[i] = static_cast<std::uint32_t>((cube.scale * position[i] - cube.low[i]) / cube.side * largest);
+  return cell;
+}
+
+std::uint64_t key_of(const Point2& p, const Cube<2>& square) {
+  const auto [x, y] = cell_of(p, square, 0x7fffffffp0);
+  return distance_along_curve(x, y);
+}
+std::uint64_t key_of(const Point3& p, const Cube<3>& cube) {
+  const auto [x, y, z] = cell_of(p, cube, 0x1fffffp0);
+  return distance_along_curve(x, y, z);
+}
+
+template <class Point>
+void check(std::span<const Point> points) {
   if (points.size() > std::numeric_limits<std::uint32_t>::max())
     throw InputError("points", std::to_string(points.size()) + " points do not fit 32-bit indices",
                      "order them in parts");
-  const auto bad = std::find_if_not(points.begin(), points.end(), is_finite);
+  const auto bad =
+      std::find_if_not(points.begin(), points.end(), [](const Point& p) { return is_finite(p); });
   if (bad != points.end())
     throw InputError("points", "point " + std::to_string(bad - points.begin()) + " is not finite",
                      "remove NaN and infinite coordinates");
@@ -128,7 +231,8 @@ void sort_by_key(std::vector<Keyed>& items) {
   }
 }
 
-void order_within_cells(std::vector<Keyed>& items, std::span<const Point2> points) {
+template <class Point>
+void order_within_cells(std::vector<Keyed>& items, std::span<const Point> points) {
   const auto before = [points](const Keyed& a, const Keyed& b) {
     if (points[a.index] < points[b.index]) return true;
     return points[a.index] == points[b.index] && a.index < b.index;
@@ -141,23 +245,24 @@ void order_within_cells(std::vector<Keyed>& items, std::span<const Point2> point
   }
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> hilbert_order(std::span<const Point2> points) {
+template <class Point>
+std::vector<std::uint32_t> order_along_curve(std::span<const Point> points) {
   check(points);
   if (points.empty()) return {};
-  const Square square = bounding_square(points);
+  const auto cube = bounding_cube(points);
   std::vector<Keyed> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t x = cell_of(points[i].x, square.left, square);
-    const std::uint32_t y = cell_of(points[i].y, square.bottom, square);
-    items[i] = {distance_along_curve(x, y), static_cast<std::uint32_t>(i)};
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    items[i] = {key_of(points[i], cube), static_cast<std::uint32_t>(i)};
   sort_by_key(items);
   order_within_cells(items, points);
   std::vector<std::uint32_t> order(points.size());
   std::ranges::transform(items, order.begin(), &Keyed::index);
   return order;
 }
+
+}  // namespace
+
+std::vector<std::uint32_t> hilbert_order(std::span<const Point2> points) { return order_along_curve(points); }
+std::vector<std::uint32_t> hilbert_order(std::span<const Point3> points) { return order_along_curve(points); }
 
 }  // namespace leonhard::kernel

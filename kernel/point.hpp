@@ -36,4 +36,47 @@ struct Vec2 {
 [[nodiscard]] inline double distance(Point2 a, Point2 b) { return norm(a - b); }
 [[nodiscard]] inline bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
+/// A point of space. Comparison as for Point2: lexicographic (x, then y, then z), exact, -0 equal to +0.
+struct Point3 {
+  double x{};
+  double y{};
+  double z{};
+
+  friend constexpr bool operator==(const Point3&, const Point3&) = default;
+  friend constexpr std::partial_ordering operator<=>(const Point3&, const Point3&) = default;
+};
+
+/// A vector of space.
+struct Vec3 {
+  double x{};
+  double y{};
+  double z{};
+
+  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+[[nodiscard]] constexpr Vec3 operator-(const Point3& a, const Point3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+[[nodiscard]] constexpr Point3 operator+(const Point3& p, const Vec3& v) {
+  return {p.x + v.x, p.y + v.y, p.z + v.z};
+}
+[[nodiscard]] constexpr Vec3 operator+(const Vec3& u, const Vec3& v) {
+  return {u.x + v.x, u.y + v.y, u.z + v.z};
+}
+[[nodiscard]] constexpr Vec3 operator-(const Vec3& u, const Vec3& v) {
+  return {u.x - v.x, u.y - v.y, u.z - v.z};
+}
+[[nodiscard]] constexpr Vec3 operator-(const Vec3& u) { return {-u.x, -u.y, -u.z}; }
+[[nodiscard]] constexpr Vec3 operator*(double s, const Vec3& v) { return {s * v.x, s * v.y, s * v.z}; }
+[[nodiscard]] constexpr double dot(const Vec3& u, const Vec3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+[[nodiscard]] constexpr Vec3 cross(const Vec3& u, const Vec3& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+[[nodiscard]] inline double norm(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
+[[nodiscard]] inline double distance(const Point3& a, const Point3& b) { return norm(a - b); }
+[[nodiscard]] inline bool is_finite(const Point3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 }  // namespace leonhard

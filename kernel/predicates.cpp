@@ -3,54 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "leonhard/kernel/double_double.hpp"
 #include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/exact_range.hpp"
 #include "leonhard/kernel/expansion.hpp"
 
 namespace leonhard::kernel {
 namespace {
-
-// ---- the range in which expansions are exact ----
-
-/// Binary exponents that coordinates other than 0 may have.
-struct ExponentWindow {
-  int lowest, highest;
-};
-
-/// The lowest bit of a coordinate of exponent e is at e - 52 or higher, that of a difference too, that of a
-/// product of Degree differences at Degree (e - 52), which must be representable: at least -1074. A
-/// difference is below 2^(e + 2), a sum of up to 12 products of them below 2^(Degree (e + 2) + 4), and
-/// splitting multiplies by 2^28: the whole must stay below 2^1023.
-template <int Degree>
-constexpr ExponentWindow exact_window{52 - 1074 / Degree, (1023 - 28 - 4) / Degree - 2};
-static_assert(exact_window<2>.lowest == -485 && exact_window<2>.highest == 493);
-static_assert(exact_window<4>.lowest == -216 && exact_window<4>.highest == 245);
-
-/// Moves the points into the window by a power of two, which changes no sign of a homogeneous polynomial and
-/// no bit of a coordinate.
-///
-/// returns  false, and leaves the points alone, if their exponents are too far apart
-template <std::size_t Count>
-bool fit(std::array<Point2, Count>& points, ExponentWindow window) {
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-  for (const Point2& p : points)
-    for (const double size : {std::abs(p.x), std::abs(p.y)}) {
-      largest = std::max(largest, size);
-      if (size != 0) smallest = std::min(smallest, size);
-    }
-  if (largest == 0) return true;
-  const int lowest = std::ilogb(smallest), highest = std::ilogb(largest);
-  if (lowest >= window.lowest && highest <= window.highest) return true;
-  if (highest - lowest > window.highest - window.lowest) return false;
-  const int shift = window.highest - highest;
-  for (Point2& p : points) p = {std::scalbn(p.x, shift), std::scalbn(p.y, shift)};
-  return true;
-}
 
 // ---- vectors of longer numbers ----
 

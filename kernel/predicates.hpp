@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
+#include "leonhard/kernel/filtered_sign.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
-
-#ifdef __FAST_MATH__
-#error "leonhard: exact predicates cannot be compiled with -ffast-math"
-#endif
 
 /// Geometric predicates of the plane, exact for every finite double: overflow, underflow and subnormals
 /// included.
@@ -21,47 +15,11 @@
 /// GMP where the exponents are too far apart for these; X tries the one and falls through to the other. NaN
 /// and infinities are outside the domain: readers refuse them.
 ///
-/// Notation of the error bounds: u = 2^-53, the largest relative error of one operation that does not
-/// underflow; addition and subtraction never underflow; a product that does is wrong by 2^-1075 at most. An
-/// overflow makes |determinant| - bound infinite or NaN, and the filter does not answer. All bounds hold with
-/// and without fused multiply-add, which only leaves roundings out; round-to-nearest is required
-/// (floating_point_self_test says whether it is on). Points are taken by reference so that the call of the
+/// filtered_sign.hpp has the notation of the error bounds. Points are taken by reference so that the call of the
 /// exact part costs the inlined filter no copies.
 namespace leonhard::kernel {
 
-/// What a filter says: a sign that is certainly right, or that it cannot tell. It never proves zero.
-class FilteredSign {
- public:
-  constexpr FilteredSign() = default;
-  explicit constexpr FilteredSign(Sign certain) : sign_(certain) {}
-
-  [[nodiscard]] constexpr bool is_certain() const { return sign_ != Sign::zero; }
-  /// The sign, if it is certain.
-  [[nodiscard]] constexpr Sign operator*() const { return sign_; }
-
- private:
-  Sign sign_ = Sign::zero;  // zero: cannot tell
-};
-
 namespace detail {
-
-/// Larger than all that underflow can add to the error of a filter, and far above the subnormal numbers.
-inline constexpr double underflow_guard = 0x1p-1000;
-
-/// The sign of value, if |value| - bound is at least the guard and finite: then the value's error, at most `bound`
-/// and a few smallest numbers, cannot have turned the sign, and nothing has overflowed.
-///
-/// One comparison of bit patterns does it: those of doubles >= 0 are in the order of the numbers, those of infinity,
-/// NaN and negative numbers come after.
-[[nodiscard]] inline FilteredSign sign_if_beyond(double value, double bound) {
-  constexpr auto lowest = std::bit_cast<std::uint64_t>(underflow_guard);
-  constexpr auto infinite = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
-  const double margin = std::abs(value) - bound;
-  if (std::bit_cast<std::uint64_t>(margin) - lowest < infinite - lowest) [[likely]]
-    return FilteredSign(
-        static_cast<Sign>(std::bit_cast<std::int64_t>(value) >> 63 | 1));  // sign bit: -1, else 1
-  return {};
-}
 
 /// The sign of l - r, each the rounded product of two rounded differences of coordinates.
 ///

@@ -1,54 +1,37 @@
 // SPDX-License-Identifier: MIT
-// Predicates on easy and hard points beside the bare determinant, which answers wrongly on the hard ones but sets the
-// price to aim at; the oracle of rational numbers as the other end; Hilbert order.
-//
-// Points are reached through random indices, as a mesher reaches them, from a set that fits the second-level cache.
-// The counter `filtered` says which share of calls the filter decided; `times_bare` the time of a call over the bare
-// determinant's, measured turn and turn about in the same benchmark: the figure to quote.
+// Predicates of the plane on easy and hard points, and insertion orders; predicate_bench.hpp says what is measured.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "bench/micro/predicate_bench.hpp"
 #include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/hilbert.hpp"
+#include "leonhard/kernel/insertion_order.hpp"
 #include "leonhard/kernel/predicates.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Point2;
+using leonhard::Point3;
 using leonhard::Sign;
 using leonhard::Vec2;
+using leonhard::benching::Random;
+using leonhard::benching::rounded_sign;
+using leonhard::benching::unit;
 
 namespace {
 
-using Random = std::mt19937_64;
-constexpr std::size_t point_count = 4096;  // a power of two
-constexpr std::size_t call_count = 4096;
-
-struct Input {
-  std::vector<Point2> points;
-  std::vector<std::array<std::uint32_t, 4>> calls;  // indices of the four points
-};
+using Input = leonhard::benching::Input<Point2, 4>;
 
 template <class Draw>
 Input random_calls(Draw draw) {
-  Random random(1);
-  Input input;
-  for (std::size_t i = 0; i < point_count; ++i) input.points.push_back(draw(random));
-  std::uniform_int_distribution<std::uint32_t> any(0, point_count / 4 - 1);
-  for (std::size_t i = 0; i < call_count; ++i)  // four different points: one of each quarter
-    input.calls.push_back({4 * any(random), 4 * any(random) + 1, 4 * any(random) + 2, 4 * any(random) + 3});
-  return input;
+  return leonhard::benching::random_calls<Point2, 4>(draw);
 }
-
-double unit(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
 
 Input uniform() {
   return random_calls([](Random& r) { return Point2{unit(r), unit(r)}; });
@@ -79,8 +62,6 @@ Input grid(double origin, double spacing) {
     }
   return input;
 }
-
-Sign rounded_sign(double x) { return leonhard::sign_of(x); }
 
 // Each predicate, the bare determinant, the filter and the oracle in one form: (a, b, c, d).
 struct Orient2d {
@@ -120,77 +101,48 @@ struct IncirclePerturbed : Incircle {
   }
 };
 
-template <class Function>
-int run_all(const Input& input, Function function) {
-  int sum = 0;
-  for (const auto& [a, b, c, d] : input.calls)
-    sum += static_cast<int>(function(input.points[a], input.points[b], input.points[c], input.points[d]));
-  return sum;
-}
-
-template <class Work>
-double seconds_of(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  benchmark::DoNotOptimize(work());
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Times the predicate; in turns with it, outside the reported time, the bare determinant. The shortest turn of each
-/// makes the ratio, which so survives a busy machine.
-template <class P>
-void bench_predicate(benchmark::State& state, const Input& input) {
-  double shortest = 1e9, shortest_bare = 1e9;
-  for (auto _ : state) {
-    const double seconds = seconds_of([&] { return run_all(input, P::predicate); });
-    const double bare = seconds_of([&] { return run_all(input, P::bare); });
-    shortest = std::min(shortest, seconds);
-    shortest_bare = std::min(shortest_bare, bare);
-    state.SetIterationTime(seconds);
+template <class Point>
+std::vector<Point> uniform_points(std::int64_t count) {
+  Random random(2);
+  std::vector<Point> points(static_cast<std::size_t>(count));
+  for (Point& p : points) {
+    p = {unit(random), unit(random)};
+    if constexpr (std::is_same_v<Point, Point3>) p.z = unit(random);
   }
-  const auto calls = static_cast<double>(input.calls.size());
-  state.counters["ns_a_call"] = 1e9 * shortest / calls;
-  state.counters["times_bare"] = shortest / shortest_bare;
-  state.counters["filtered"] = run_all(input, P::filtered) / calls;
+  return points;
 }
 
-template <class P>
-void bench_oracle(benchmark::State& state, const Input& input) {
-  double shortest = 1e9;
-  for (auto _ : state) shortest = std::min(shortest, seconds_of([&] { return run_all(input, P::oracle); }));
-  state.counters["ns_a_call"] = 1e9 * shortest / static_cast<double>(input.calls.size());
+template <class Point>
+void bench_hilbert_order(benchmark::State& state) {
+  const auto points = uniform_points<Point>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(k::hilbert_order(points));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+template <class Point>
+void bench_brio_order(benchmark::State& state) {
+  const auto points = uniform_points<Point>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(k::brio_order(points, 1));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-template <class P>
-void register_predicate(const std::string& name) {
+void register_order(const char* name, void (*function)(benchmark::State&)) {
+  benchmark::RegisterBenchmark(name, function)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+}
+
+const bool registered = [] {
   const std::vector<std::pair<std::string, Input>> inputs{{"uniform", uniform()},
                                                           {"line", line()},
                                                           {"circle", circle()},
                                                           {"integer_grid", grid(0, 1)},
                                                           {"tenths_grid", grid(1.0 / 3, 0.1)},
                                                           {"tiny_grid", grid(0, 0x1p-1074)}};
-  for (const auto& [words, input] : inputs) {
-    benchmark::RegisterBenchmark((name + "/" + words).c_str(), bench_predicate<P>, input)->UseManualTime();
-    benchmark::RegisterBenchmark((name + "_oracle/" + words).c_str(), bench_oracle<P>, input);
-  }
-}
-
-void bench_hilbert_order(benchmark::State& state) {
-  Random random(2);
-  std::vector<Point2> points(static_cast<std::size_t>(state.range(0)));
-  for (Point2& p : points) p = {unit(random), unit(random)};
-  for (auto _ : state) benchmark::DoNotOptimize(k::hilbert_order(points));
-  state.SetItemsProcessed(state.iterations() * state.range(0));
-}
-BENCHMARK(bench_hilbert_order)
-    ->Name("hilbert_order")
-    ->Arg(10'000)
-    ->Arg(1'000'000)
-    ->Unit(benchmark::kMillisecond);
-
-const bool registered = [] {
-  register_predicate<Orient2d>("orient2d");
-  register_predicate<Incircle>("incircle");
-  register_predicate<IncirclePerturbed>("incircle_perturbed");
+  leonhard::benching::register_predicate<Orient2d>("orient2d", inputs);
+  leonhard::benching::register_predicate<Incircle>("incircle", inputs);
+  leonhard::benching::register_predicate<IncirclePerturbed>("incircle_perturbed", inputs);
+  register_order("hilbert_order", bench_hilbert_order<Point2>);
+  register_order("hilbert_order_3d", bench_hilbert_order<Point3>);
+  register_order("brio_order", bench_brio_order<Point2>);
+  register_order("brio_order_3d", bench_brio_order<Point3>);
   return true;
 }();
 

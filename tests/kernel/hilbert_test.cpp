@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "tests/kernel/orders.hpp"
 #include "tests/kernel/point_families.hpp"
 
 namespace k = leonhard::kernel;
@@ -17,13 +17,6 @@ using leonhard::Point2;
 using namespace leonhard::testing;
 
 namespace {
-
-bool is_permutation_of_indices(std::vector<std::uint32_t> order, std::size_t count) {
-  std::ranges::sort(order);
-  std::vector<std::uint32_t> indices(count);
-  std::iota(indices.begin(), indices.end(), 0U);
-  return order == indices;
-}
 
 std::vector<Point2> uniform_points(Random& random, int count) {
   std::vector<Point2> points;
@@ -51,7 +44,7 @@ TEST_CASE("hilbert_order_is_a_permutation_for_every_family_of_points") {
     CAPTURE(family.name);
     CHECK(is_permutation_of_indices(k::hilbert_order(points), points.size()));
   }
-  CHECK(k::hilbert_order({}).empty());
+  CHECK(k::hilbert_order(std::vector<Point2>{}).empty());
   CHECK(k::hilbert_order(std::vector<Point2>{{3, 4}}) == std::vector<std::uint32_t>{0});
 }
 
@@ -73,10 +66,7 @@ TEST_CASE("hilbert_tour_of_uniform_points_is_short") {
   const int count = 20'000;
   const std::vector<Point2> points = uniform_points(random, count);
   const auto order = k::hilbert_order(points);
-  double length = 0;
-  for (std::size_t i = 1; i < order.size(); ++i)
-    length += leonhard::distance(points[order[i]], points[order[i - 1]]);
-  CHECK(length / 2 < 1.1 * std::sqrt(count));  // the square has side 2
+  CHECK(tour_length(points, order) / 2 < 1.1 * std::sqrt(count));  // the square has side 2
 }
 
 TEST_CASE("hilbert_order_depends_on_points_alone_not_on_their_order") {
