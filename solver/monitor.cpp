@@ -110,7 +110,7 @@ std::string describe(Verdict verdict, const std::vector<Iteration>& history,
       out << "; it hangs there, but the coefficients stand still";
       break;
     case Verdict::stalled:
-      out << "; it hangs there and the coefficients still move";
+      out << "; it hangs there, and the coefficients do not stand still or the time step has shrunk to nothing";
       break;
     case Verdict::diverged:
       if (!history.empty()) out << "; no time step was small enough";

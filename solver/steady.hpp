@@ -60,7 +60,7 @@ struct Iteration {
 enum class Verdict {
   converged,  ///< the residual fell by residual_drop_orders
   settled,    ///< the residual hangs, the coefficients stand still within settle_tolerance
-  stalled,    ///< the residual hangs and the coefficients still move
+  stalled,    ///< the residual hangs, and the coefficients still move or the time step has shrunk to nothing
   diverged,   ///< no step could be taken from an unphysical state; `bad_vertex` names the first one
   iteration_limit,
   stopped,  ///< the stop token asked

@@ -74,6 +74,7 @@ class ImplicitMarch {
       }
       keep_improving();
       if (const auto verdict = march_.record(number)) return *verdict;
+      if (march_.cfl < least_cfl) return Verdict::stalled;  // coefficients stand still because time does
     }
   }
 
