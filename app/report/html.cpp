@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 
@@ -23,7 +24,7 @@ p.lead { color:var(--soft); margin:.2rem 0 1.4rem }
 .verdict { display:inline-block; padding:.1rem .6rem; border-radius:1rem; color:#fff; font-weight:600; font-size:.85rem;
            background:var(--good); vertical-align:middle }
 .verdict.bad { background:var(--bad) }
-.cards { display:grid; grid-template-columns:repeat(auto-fit,minmax(150px,1fr)); gap:.7rem; margin:1rem 0 }
+.cards { display:grid; grid-template-columns:repeat(auto-fit,minmax(122px,1fr)); gap:.7rem; margin:1rem 0 }
 .card { background:var(--band); border-radius:.5rem; padding:.7rem .9rem }
 .card b { display:block; font-size:1.35rem; font-variant-numeric:tabular-nums }
 .card span { color:var(--soft); font-size:.82rem }
@@ -94,7 +95,8 @@ std::string shown(const Json& value, int digits = 4) {
     const auto n = value.get<std::int64_t>();
     return (n < 0 ? "−" : "") + grouped(static_cast<std::uint64_t>(n < 0 ? -n : n));
   }
-  return fmt::format("{:.{}f}", value.get<double>(), digits);
+  const auto x = value.get<double>();
+  return fmt::format("{}{:.{}f}", std::signbit(x) ? "−" : "", std::abs(x), digits);
 }
 
 std::string card(const std::string& value, std::string_view name) {
