@@ -35,6 +35,7 @@ InputAngles::InputAngles(const ConstrainedTriangulation& in) : least_cosine_gap_
     }
 }
 
+// Only says which triangles refinement leaves alone, so that it ends; no sign and no topology hangs on it.
 double InputAngles::shell_tolerance(VertexId v) const {
   return std::clamp(least_cosine_gap_[v.index()] / 8, 1e-9, 1e-3);
 }

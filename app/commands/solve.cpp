@@ -45,7 +45,7 @@ void tell_the_end(const SolveRun& run, const std::filesystem::path& folder, cons
   fmt::print("Report: {}\n", (folder / "report.html").string());
 }
 
-/// Whether the flow equations were wanted: the way of the data, step by step.
+/// The way of the data, step by step (ARCHITECTURE.md).
 ExitCode solve(const SolveOptions& options) {
   SolveRun run;
   run.the_case = read_case(options.case_file);

@@ -110,7 +110,6 @@ Json bodies_json(const SolveRun& run) {
   return bodies;
 }
 
-/// PETSc's version as text, from the room that links it.
 std::string compiler() {
 #if defined(__clang__)
   return "clang " __clang_version__;
