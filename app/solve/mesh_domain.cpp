@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "leonhard/app/console.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 std::function<double(Point2)> sizing_of(const DomainGeometry& domain) {
   if (domain.sources.empty()) {
-    if (domain.max_size > 0) return [size = domain.max_size](Point2) { return size; };
+    if (domain.max_size > 0 && std::isfinite(domain.max_size)) return [size = domain.max_size](Point2) { return size; };
     return {};
   }
   std::vector<delaunay::GradedSizing::Source> sources;

@@ -50,6 +50,15 @@ TEST_CASE("mesh_makes_a_sound_mesh_that_check_convert_and_draw_can_read") {
   }
 }
 
+TEST_CASE("regress_a_graph_is_meshed_without_any_size") {
+  const ScratchFolder scratch;
+  scratch.write("frame.poly", frame);
+  const auto meshed = run("mesh frame.poly -o frame.su2 --json", scratch.path());
+  CAPTURE(meshed.err);
+  REQUIRE(meshed.exit_code == 0);
+  CHECK(json::parse(meshed.out)["area"] == 12.0);
+}
+
 TEST_CASE("a_spent_vertex_budget_is_code_3_and_the_mesh_is_still_sound") {
   const ScratchFolder scratch;
   scratch.write("frame.poly", frame);
