@@ -7,11 +7,12 @@
 
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
+#include "leonhard/kernel/weighted_point.hpp"
 
-/// The predicates of predicates.hpp and predicates3.hpp evaluated in GMP's rational numbers, straight from their
-/// definitions: the oracle of tests and fuzzers, and the last resort of the predicates themselves. Slow
-/// (microseconds a call), right for every finite double; each double converts to a rational without error. Same sign
-/// conventions.
+/// The predicates of predicates.hpp, predicates3.hpp and power.hpp evaluated in GMP's rational numbers, straight
+/// from their definitions: the oracle of tests and fuzzers, and the last resort of the predicates themselves.
+/// Slow (microseconds a call), right for every finite double; each double converts to a rational without error.
+/// Same sign conventions.
 namespace leonhard::kernel::exact {
 
 [[nodiscard]] Sign orient2d(Point2 a, Point2 b, Point2 c);
@@ -24,6 +25,13 @@ namespace leonhard::kernel::exact {
                             const Point3& e);
 [[nodiscard]] Sign in_diametral_sphere(const Point3& p, const Point3& a, const Point3& b);
 [[nodiscard]] Sign compare_distance(const Point3& p, const Point3& a, const Point3& b);
+
+[[nodiscard]] Sign power_test(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& c,
+                              const WeightedPoint2& d);
+[[nodiscard]] Sign power_test(const WeightedPoint3& a, const WeightedPoint3& b, const WeightedPoint3& c,
+                              const WeightedPoint3& d, const WeightedPoint3& e);
+[[nodiscard]] Sign compare_power_distance(const Point2& p, const WeightedPoint2& a, const WeightedPoint2& b);
+[[nodiscard]] Sign compare_power_distance(const Point3& p, const WeightedPoint3& a, const WeightedPoint3& b);
 
 /// Twice the signed area of a closed polygon (the last point joins the first), exact.
 ///
