@@ -23,9 +23,10 @@ using Pair = double __attribute__((vector_size(16)));
   return reinterpret_cast<Pair>(reinterpret_cast<Bits>(p) & Bits{all_but_sign, all_but_sign});
 }
 
-/// The first two coordinates, read at once.
-[[nodiscard]] inline Pair xy_of(const Point3& p) {
-  static_assert(std::is_standard_layout_v<Point3> && sizeof(Point3) == 3 * sizeof(double));
+/// The first two coordinates of a point or vector, read at once.
+template <class PointOrVector>
+[[nodiscard]] inline Pair xy_of(const PointOrVector& p) {
+  static_assert(std::is_standard_layout_v<PointOrVector> && sizeof(p) >= sizeof(Pair));
   Pair xy;
   std::memcpy(&xy, &p, sizeof xy);
   return xy;

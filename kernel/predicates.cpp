@@ -10,6 +10,10 @@
 #include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/exact_range.hpp"
 #include "leonhard/kernel/expansion.hpp"
+#include "leonhard/kernel/integer_predicates.hpp"
+#include "leonhard/kernel/pair.hpp"
+#include "leonhard/kernel/small_multiples.hpp"
+#include "leonhard/kernel/stage.hpp"
 
 namespace leonhard::kernel {
 namespace {
@@ -39,45 +43,73 @@ auto cross(const LongVec2<Number>& u, const LongVec2<Number>& v) {
   return u.x * v.y - u.y * v.x;
 }
 
-bool is_one_double(const LongVec2<DoubleDouble>& v) { return v.x.low == 0 && v.y.low == 0; }
+/// incircle's determinant, see incircle_filter.
+template <class Number>
+auto incircle_determinant(const LongVec2<Number>& u, const LongVec2<Number>& v, const LongVec2<Number>& w) {
+  return cross(v, w) * dot(u, u) + cross(w, u) * dot(v, v) + cross(u, v) * dot(w, w);
+}
+
+/// |v|^2, good to a few u: enough for the scale of an error bound.
+double rounded_square(const LongVec2<DoubleDouble>& v) { return v.x.high * v.x.high + v.y.high * v.y.high; }
 
 /// The determinant of incircle_filter in double-double numbers. The vectors are exact; a square or minor has errors of
 /// (7 + 3) u^2, their product 7 u^2 more, the sum 2 * 3 u^2: 33 u^2 L^2 / 3 with the estimates made there, and
 /// 2^-102 = 16 u^2 leaves room for underflow and for L, which is rounded.
 FilteredSign incircle_double_double(const LongVec2<DoubleDouble>& u, const LongVec2<DoubleDouble>& v,
                                     const LongVec2<DoubleDouble>& w) {
-  const DoubleDouble uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
-  const DoubleDouble determinant = uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
-  const double size = uu.high + vv.high + ww.high;
-  return detail::sign_if_beyond(determinant.high, 0x1p-102 * (size * size));
+  const double size = rounded_square(u) + rounded_square(v) + rounded_square(w);
+  return detail::sign_if_beyond(incircle_determinant(u, v, w).high, 0x1p-102 * (size * size));
 }
 
-Sign incircle_expansion(const LongVec2<Expansion<2>>& u, const LongVec2<Expansion<2>>& v,
-                        const LongVec2<Expansion<2>>& w) {
-  const Expansion<1536> determinant =
-      cross(v, w) * dot(u, u) + cross(w, u) * dot(v, v) + cross(u, v) * dot(w, w);
-  return determinant.sign();
+double rounded_incircle(Vec2 u, Vec2 v, Vec2 w) {
+  return cross(v, w) * dot(u, u) + cross(w, u) * dot(v, v) + cross(u, v) * dot(w, w);
+}
+
+StagedSign orient2d_beyond_filter(const Point2& a, const Point2& b, const Point2& c) {
+  const Vec2 l = a - c, r = b - c;
+  if (are_small_multiples<26>(std::array{xy_of(l), xy_of(r)}, std::array{xy_of(a), xy_of(b), xy_of(c)}))
+    return {sign_of(cross(l, r)), Stage::small_integer};  // below 2 * 2^(2 * 26) units
+  if (const auto s = integer::orient2d(a, b, c)) return {*s, Stage::integer};
+  std::array points{a, b, c};
+  if (!fit(points, exact_window<2>)) return {exact::orient2d(a, b, c), Stage::rational};
+  return {
+      cross(expanded(difference(points[0], points[2])), expanded(difference(points[1], points[2]))).sign(),
+      Stage::expansion};
+}
+
+StagedSign incircle_beyond_filter(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const Vec2 to_a = a - d, to_b = b - d, to_c = c - d;
+  if (are_small_multiples<12>(std::array{xy_of(to_a), xy_of(to_b), xy_of(to_c)},
+                              std::array{xy_of(a), xy_of(b), xy_of(c), xy_of(d)}))
+    return {sign_of(rounded_incircle(to_a, to_b, to_c)),
+            Stage::small_integer};  // below 12 * 2^(4 * 12) units
+  if (const auto s = integer::incircle(a, b, c, d)) return {*s, Stage::integer};
+  std::array points{a, b, c, d};
+  if (!fit(points, exact_window<4>)) return {exact::incircle(a, b, c, d), Stage::rational};
+  const auto u = difference(points[0], points[3]);
+  const auto v = difference(points[1], points[3]);
+  const auto w = difference(points[2], points[3]);
+  if (const FilteredSign s = incircle_double_double(u, v, w); s.is_certain())
+    return {*s, Stage::double_double};
+  return {incircle_determinant(expanded(u), expanded(v), expanded(w)).sign(), Stage::expansion};
 }
 
 }  // namespace
 
 Sign orient2d_exact(const Point2& a, const Point2& b, const Point2& c) {
-  std::array points{a, b, c};
-  if (!fit(points, exact_window<2>)) return exact::orient2d(a, b, c);
-  return cross(expanded(difference(points[0], points[2])), expanded(difference(points[1], points[2]))).sign();
+  return orient2d_beyond_filter(a, b, c).sign;
+}
+StagedSign orient2d_staged(const Point2& a, const Point2& b, const Point2& c) {
+  if (const FilteredSign s = orient2d_filter(a, b, c); s.is_certain()) return {*s, Stage::filter};
+  return orient2d_beyond_filter(a, b, c);
 }
 
 Sign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  std::array points{a, b, c, d};
-  if (!fit(points, exact_window<4>)) return exact::incircle(a, b, c, d);
-  const auto u = difference(points[0], points[3]);
-  const auto v = difference(points[1], points[3]);
-  const auto w = difference(points[2], points[3]);
-  // Expansions are quick where the differences are single doubles, as among neighbouring or integer points, and ties
-  // are found there; else they grow to hundreds of terms, mostly to decide what 106 bits tell.
-  if (!(is_one_double(u) && is_one_double(v) && is_one_double(w)))
-    if (const FilteredSign s = incircle_double_double(u, v, w); s.is_certain()) return *s;
-  return incircle_expansion(expanded(u), expanded(v), expanded(w));
+  return incircle_beyond_filter(a, b, c, d).sign;
+}
+StagedSign incircle_staged(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  if (const FilteredSign s = incircle_filter(a, b, c, d); s.is_certain()) return {*s, Stage::filter};
+  return incircle_beyond_filter(a, b, c, d);
 }
 
 Sign incircle_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "leonhard/kernel/filtered_sign.hpp"
+#include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
 
@@ -11,9 +12,9 @@
 /// included.
 ///
 /// Each predicate has three parts. X_filter, inline, evaluates the determinant in floating point and answers
-/// only if a proven error bound says that the sign is right; X_exact evaluates it with expansions, or with
-/// GMP where the exponents are too far apart for these; X tries the one and falls through to the other. NaN
-/// and infinities are outside the domain: readers refuse them.
+/// only if a proven error bound says that the sign is right; X_exact passes through the stages of stage.hpp, which end
+/// with GMP; X tries the one and falls through to the other. NaN and infinities are outside the domain: readers refuse
+/// them.
 ///
 /// filtered_sign.hpp has the notation of the error bounds. Points are taken by reference so that the call of the
 /// exact part costs the inlined filter no copies.
@@ -36,7 +37,8 @@ namespace detail {
 // ---- orient2d ----
 
 [[nodiscard]] inline FilteredSign orient2d_filter(const Point2& a, const Point2& b, const Point2& c) {
-  return detail::sign_of_difference((a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x));
+  const Pair c_xy = xy_of(c), products = (xy_of(a) - c_xy) * swapped(xy_of(b) - c_xy);
+  return detail::sign_of_difference(products[0], products[1]);
 }
 [[nodiscard]] Sign orient2d_exact(const Point2& a, const Point2& b, const Point2& c);
 
@@ -53,21 +55,24 @@ namespace detail {
 
 // ---- incircle ----
 
-/// Error bound. With A, B, C the vectors from d and P the two products of each minor, the determinant
-///   sum over the cyclic orders of |A|^2 (Bx Cy - Cx By)
-/// has 4 roundings in a square, 4 in a minor, 1 in their product, 2 in the sum, so the error is at most
-/// (11u + O(u^2)) sum |A|^2 (|Bx Cy| + |Cx By|). By Cauchy and Schwarz the last factor is at most |B| |C|, so
-/// the sum is at most abc (a + b + c) <= (ab + bc + ca)^2 / 3 <= L^2 / 3, a = |A| and so on, L = |A|^2 +
-/// |B|^2 + |C|^2. 11u/3 < 2^-51 = 4u leaves a twelfth for the terms in u^2. A minor or square that underflows
-/// adds less than 2^-1073 L, a final product 2^-1073: together less than the guard plus 2^-1000 L^2. No term
-/// exceeds L^2, so nothing overflows unless L^2 does.
+/// The determinant |U|^2 [V W] - |V|^2 [U W] + |W|^2 [U V] of the vectors from d, the brackets being minors, computed
+/// two of each kind at a time.
+///
+/// Error bound. A product of four rounded differences has 4 roundings in its factors and 3 of its own, its square 1
+/// more, its minor at most 1, the sum 2: 11u + O(u^2) times the sum over the three vectors of |U|^2 (|Vx Wy| + |Wx Vy|).
+/// By Cauchy and Schwarz the last factor is at most |V| |W|, so the sum is at most uvw (u + v + w) <= (uv + vw + wu)^2 / 3
+/// <= L^2 / 3, u = |U| and so on, L = |U|^2 + |V|^2 + |W|^2. 11u/3 < 2^-51 = 4u leaves a twelfth for the terms in u^2. A
+/// minor or square that underflows adds less than 2^-1073 L, a final product 2^-1073: together less than the guard plus
+/// 2^-1000 L^2. No term exceeds L^2, so nothing overflows unless L^2 does.
 [[nodiscard]] inline FilteredSign incircle_filter(const Point2& a, const Point2& b, const Point2& c,
                                                   const Point2& d) {
-  const Vec2 u = a - d, v = b - d, w = c - d;
-  const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
-  const double determinant = uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
-  const double size = uu + vv + ww;
-  return detail::sign_if_beyond(determinant, 0x1p-51 * (size * size));
+  const Pair d_xy = xy_of(d), u = xy_of(a) - d_xy, v = xy_of(b) - d_xy, w = xy_of(c) - d_xy;
+  const Pair uv_x = firsts(u, v), uv_y = seconds(u, v), w_x = firsts(w, w), w_y = seconds(w, w);
+  const Pair uv_square = uv_x * uv_x + uv_y * uv_y, w_square = w_x * w_x + w_y * w_y;
+  const Pair uw_vw = uv_x * w_y - uv_y * w_x;
+  const Pair sums = swapped(uw_vw) * uv_square + uv_x * swapped(uv_y) * w_square;
+  const double size = uv_square[0] + uv_square[1] + w_square[0];
+  return detail::sign_if_beyond(sums[0] - sums[1], 0x1p-51 * (size * size));
 }
 [[nodiscard]] Sign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 

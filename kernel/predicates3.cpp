@@ -11,6 +11,10 @@
 #include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/exact_range.hpp"
 #include "leonhard/kernel/expansion.hpp"
+#include "leonhard/kernel/integer_predicates.hpp"
+#include "leonhard/kernel/pair.hpp"
+#include "leonhard/kernel/small_multiples.hpp"
+#include "leonhard/kernel/stage.hpp"
 
 namespace leonhard::kernel {
 namespace {
@@ -35,8 +39,6 @@ template <class Number>
 auto dot(const LongVec3<Number>& u, const LongVec3<Number>& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
-
-bool is_one_double(const LongVec3<DoubleDouble>& v) { return v.x.low == 0 && v.y.low == 0 && v.z.low == 0; }
 
 // ---- determinants of longer numbers ----
 
@@ -80,32 +82,73 @@ FilteredSign insphere_double_double(const LongVec3<DoubleDouble>& u, const LongV
                                 0x1p-103 * (size * size * std::sqrt(size)));
 }
 
-}  // namespace
+double rounded_insphere(const Vec3& u, const Vec3& v, const Vec3& w, const Vec3& t) {
+  const Vec3 uv = cross(u, v), wt = cross(w, t);
+  return dot(wt, v) * dot(u, u) - dot(wt, u) * dot(v, v) + dot(uv, t) * dot(w, w) - dot(uv, w) * dot(t, t);
+}
 
-// As in the plane: expansions at once where the differences are single doubles, as among neighbouring or integer
-// points, for ties are found there and the expansions stay short; else double-double numbers first, which mostly tell.
+/// The commonest of ties: faces of boxes, walls of rooms.
+bool in_a_plane_of_coordinates(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  return (a.z == b.z && a.z == c.z && a.z == d.z) || (a.y == b.y && a.y == c.y && a.y == d.y) ||
+         (a.x == b.x && a.x == c.x && a.x == d.x);
+}
 
-Sign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+StagedSign orient3d_beyond_filter(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  if (in_a_plane_of_coordinates(a, b, c, d)) return {Sign::zero, Stage::small_integer};
+  const Vec3 to_b = b - a, to_c = c - a, to_d = d - a;
+  const std::array differences{xy_of(to_b), xy_of(to_c), xy_of(to_d), Pair{to_b.z, to_c.z}, both(to_d.z)};
+  if (are_small_multiples<16>(
+          differences, std::array{xy_of(a), xy_of(b), xy_of(c), xy_of(d), Pair{a.z, b.z}, Pair{c.z, d.z}}))
+    return {sign_of(dot(cross(to_b, to_c), to_d)), Stage::small_integer};  // below 6 * 2^(3 * 16) units
+  if (const auto s = integer::orient3d(a, b, c, d)) return {*s, Stage::integer};
   std::array points{a, b, c, d};
-  if (!fit(points, exact_window<3>)) return exact::orient3d(a, b, c, d);
+  if (!fit(points, exact_window<3>)) return {exact::orient3d(a, b, c, d), Stage::rational};
   const auto u = difference(points[1], points[0]);
   const auto v = difference(points[2], points[0]);
   const auto w = difference(points[3], points[0]);
-  if (!(is_one_double(u) && is_one_double(v) && is_one_double(w)))
-    if (const FilteredSign s = orient3d_double_double(u, v, w); s.is_certain()) return *s;
-  return triple_product(expanded(u), expanded(v), expanded(w)).sign();
+  if (const FilteredSign s = orient3d_double_double(u, v, w); s.is_certain())
+    return {*s, Stage::double_double};
+  return {triple_product(expanded(u), expanded(v), expanded(w)).sign(), Stage::expansion};
 }
 
-Sign insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
+StagedSign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                                  const Point3& e) {
+  const Vec3 to_a = a - e, to_b = b - e, to_c = c - e, to_d = d - e;
+  const std::array differences{xy_of(to_a), xy_of(to_b),          xy_of(to_c),
+                               xy_of(to_d), Pair{to_a.z, to_b.z}, Pair{to_c.z, to_d.z}};
+  if (are_small_multiples<9>(differences, std::array{xy_of(a), xy_of(b), xy_of(c), xy_of(d), xy_of(e),
+                                                     Pair{a.z, b.z}, Pair{c.z, d.z}, both(e.z)}))
+    return {sign_of(rounded_insphere(to_a, to_b, to_c, to_d)),
+            Stage::small_integer};  // below 72 * 2^(5 * 9) units
+  if (const auto s = integer::insphere(a, b, c, d, e)) return {*s, Stage::integer};
   std::array points{a, b, c, d, e};
-  if (!fit(points, exact_window<5>)) return exact::insphere(a, b, c, d, e);
+  if (!fit(points, exact_window<5>)) return {exact::insphere(a, b, c, d, e), Stage::rational};
   const auto u = difference(points[0], points[4]);
   const auto v = difference(points[1], points[4]);
   const auto w = difference(points[2], points[4]);
   const auto t = difference(points[3], points[4]);
-  if (!(is_one_double(u) && is_one_double(v) && is_one_double(w) && is_one_double(t)))
-    if (const FilteredSign s = insphere_double_double(u, v, w, t); s.is_certain()) return *s;
-  return insphere_determinant(expanded(u), expanded(v), expanded(w), expanded(t)).sign();
+  if (const FilteredSign s = insphere_double_double(u, v, w, t); s.is_certain())
+    return {*s, Stage::double_double};
+  return {insphere_determinant(expanded(u), expanded(v), expanded(w), expanded(t)).sign(), Stage::expansion};
+}
+
+}  // namespace
+
+Sign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  return orient3d_beyond_filter(a, b, c, d).sign;
+}
+StagedSign orient3d_staged(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  if (const FilteredSign s = orient3d_filter(a, b, c, d); s.is_certain()) return {*s, Stage::filter};
+  return orient3d_beyond_filter(a, b, c, d);
+}
+
+Sign insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
+  return insphere_beyond_filter(a, b, c, d, e).sign;
+}
+StagedSign insphere_staged(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                           const Point3& e) {
+  if (const FilteredSign s = insphere_filter(a, b, c, d, e); s.is_certain()) return {*s, Stage::filter};
+  return insphere_beyond_filter(a, b, c, d, e);
 }
 
 Sign insphere_tie(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
