@@ -7,6 +7,8 @@ libeigen3-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev lib
 packages_tests="$packages_release doctest-dev"
 packages_fuzz="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev libeigen3-dev clang libclang-rt-14-dev"
 packages_bench="$packages_release libbenchmark-dev"
+packages_compare="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev libeigen3-dev libfmt-dev \
+libcgal-dev libtet1.5-dev libmpfr-dev"
 
 # missing_packages NAME...: those that are not installed.
 missing_packages() {

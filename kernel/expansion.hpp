@@ -110,6 +110,46 @@ class Expansion {
   std::size_t size_ = 0;
 };
 
+/// Theorem 10, grow expansion: one number more.
+template <std::size_t N>
+[[nodiscard]] Expansion<capacity_for(N + 1)> grow(const Expansion<N>& e, double number) {
+  Expansion<capacity_for(N + 1)> sum;
+  double rest = number;
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    const TwoTerms partial = two_sum(rest, e[i]);
+    sum.append(partial.low);
+    rest = partial.high;
+  }
+  sum.append(rest);
+  return sum;
+}
+
+/// Theorem 23, compress: the same value in as few terms as its bits allow or nearly so. The largest term then is within
+/// one unit in its last place of the value.
+template <std::size_t N>
+[[nodiscard]] Expansion<N> compress(const Expansion<N>& e) {
+  if (e.size() == 0) return {};
+  std::array<double, N> downward;  // from the back
+  std::size_t front = N;
+  double rest = e[e.size() - 1];
+  for (std::size_t i = e.size() - 1; i-- > 0;) {
+    const TwoTerms partial = fast_two_sum(rest, e[i]);
+    rest = partial.high;
+    if (partial.low != 0) {
+      downward[--front] = partial.high;
+      rest = partial.low;
+    }
+  }
+  Expansion<N> compressed;
+  for (std::size_t i = front; i < N; ++i) {
+    const TwoTerms partial = fast_two_sum(downward[i], rest);
+    compressed.append(partial.low);
+    rest = partial.high;
+  }
+  compressed.append(rest);
+  return compressed;
+}
+
 /// Theorem 13, fast expansion sum: merge by magnitude, then one running two_sum.
 template <std::size_t N, std::size_t M>
 [[nodiscard]] Expansion<capacity_for(N + M)> operator+(const Expansion<N>& e, const Expansion<M>& f) {

@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <utility>
 
-#include "leonhard/kernel/double_double.hpp"
 #include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/exact_range.hpp"
-#include "leonhard/kernel/expansion.hpp"
 #include "leonhard/kernel/integer_predicates.hpp"
+#include "leonhard/kernel/long_vector.hpp"
 #include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/small_multiples.hpp"
 #include "leonhard/kernel/stage.hpp"
@@ -18,39 +17,11 @@
 namespace leonhard::kernel {
 namespace {
 
-// ---- vectors of longer numbers ----
-
-template <class Number>
-struct LongVec2 {
-  Number x, y;
-};
-
-/// The exact difference of two points.
-LongVec2<DoubleDouble> difference(const Point2& a, const Point2& b) {
-  return {{two_difference(a.x, b.x)}, {two_difference(a.y, b.y)}};
-}
-
-LongVec2<Expansion<2>> expanded(const LongVec2<DoubleDouble>& v) {
-  return {Expansion<2>(v.x), Expansion<2>(v.y)};
-}
-
-template <class Number>
-auto dot(const LongVec2<Number>& u, const LongVec2<Number>& v) {
-  return u.x * v.x + u.y * v.y;
-}
-template <class Number>
-auto cross(const LongVec2<Number>& u, const LongVec2<Number>& v) {
-  return u.x * v.y - u.y * v.x;
-}
-
 /// incircle's determinant, see incircle_filter.
 template <class Number>
 auto incircle_determinant(const LongVec2<Number>& u, const LongVec2<Number>& v, const LongVec2<Number>& w) {
   return cross(v, w) * dot(u, u) + cross(w, u) * dot(v, v) + cross(u, v) * dot(w, w);
 }
-
-/// |v|^2, good to a few u: enough for the scale of an error bound.
-double rounded_square(const LongVec2<DoubleDouble>& v) { return v.x.high * v.x.high + v.y.high * v.y.high; }
 
 /// The determinant of incircle_filter in double-double numbers. The vectors are exact; a square or minor has errors of
 /// (7 + 3) u^2, their product 7 u^2 more, the sum 2 * 3 u^2: 33 u^2 L^2 / 3 with the estimates made there, and
@@ -73,7 +44,8 @@ StagedSign orient2d_beyond_filter(const Point2& a, const Point2& b, const Point2
   std::array points{a, b, c};
   if (!fit(points, exact_window<2>)) return {exact::orient2d(a, b, c), Stage::rational};
   return {
-      cross(expanded(difference(points[0], points[2])), expanded(difference(points[1], points[2]))).sign(),
+      cross(expanded(long_difference(points[0], points[2])), expanded(long_difference(points[1], points[2])))
+          .sign(),
       Stage::expansion};
 }
 
@@ -86,9 +58,9 @@ StagedSign incircle_beyond_filter(const Point2& a, const Point2& b, const Point2
   if (const auto s = integer::incircle(a, b, c, d)) return {*s, Stage::integer};
   std::array points{a, b, c, d};
   if (!fit(points, exact_window<4>)) return {exact::incircle(a, b, c, d), Stage::rational};
-  const auto u = difference(points[0], points[3]);
-  const auto v = difference(points[1], points[3]);
-  const auto w = difference(points[2], points[3]);
+  const auto u = long_difference(points[0], points[3]);
+  const auto v = long_difference(points[1], points[3]);
+  const auto w = long_difference(points[2], points[3]);
   if (const FilteredSign s = incircle_double_double(u, v, w); s.is_certain())
     return {*s, Stage::double_double};
   return {incircle_determinant(expanded(u), expanded(v), expanded(w)).sign(), Stage::expansion};
@@ -143,13 +115,16 @@ Sign incircle_tie(const Point2& a, const Point2& b, const Point2& c, const Point
 Sign in_diametral_circle_exact(const Point2& p, const Point2& a, const Point2& b) {
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::in_diametral_circle(p, a, b);
-  return -dot(expanded(difference(points[1], points[0])), expanded(difference(points[2], points[0]))).sign();
+  return -dot(expanded(long_difference(points[1], points[0])),
+              expanded(long_difference(points[2], points[0])))
+              .sign();
 }
 
 Sign compare_distance_exact(const Point2& p, const Point2& a, const Point2& b) {
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::compare_distance(p, a, b);
-  const auto u = expanded(difference(points[1], points[0])), v = expanded(difference(points[2], points[0]));
+  const auto u = expanded(long_difference(points[1], points[0])),
+             v = expanded(long_difference(points[2], points[0]));
   return (dot(u, u) - dot(v, v)).sign();
 }
 

@@ -126,6 +126,17 @@ namespace detail {
   return in_diametral_circle_exact(p, a, b);
 }
 
+// ---- angle ----
+
+/// Is the angle at `apex` between the rays to a and b acute, right or obtuse?
+///
+/// returns  the sign of its cosine: positive if it is acute, negative if it is obtuse; zero if it is right or if a ray has
+///          no direction, a or b being the apex
+/// Exact for all finite coordinates. Unchanged if a and b are swapped.
+[[nodiscard]] inline Sign angle(const Point2& a, const Point2& apex, const Point2& b) {
+  return -in_diametral_circle(apex, a, b);
+}
+
 // ---- compare_distance ----
 
 /// Error bound: 4 roundings in each of the squared distances A and B, so 4u (A + B) <= 4u (2 A + |A - B|) and terms in
@@ -145,6 +156,15 @@ namespace detail {
   if (const FilteredSign s = compare_distance_filter(p, a, b); s.is_certain()) [[likely]]
     return *s;
   return compare_distance_exact(p, a, b);
+}
+
+// ---- compare_xy ----
+
+/// Lexicographic order of two finite points, x before y: the order of symbolic perturbation.
+///
+/// returns  negative if a comes first, zero if the points are equal (-0 equal to +0), positive if b comes first
+[[nodiscard]] constexpr Sign compare_xy(const Point2& a, const Point2& b) {
+  return a < b ? Sign::negative : b < a ? Sign::positive : Sign::zero;
 }
 
 }  // namespace leonhard::kernel

@@ -7,38 +7,16 @@
 #include <cstddef>
 #include <utility>
 
-#include "leonhard/kernel/double_double.hpp"
 #include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/exact_range.hpp"
-#include "leonhard/kernel/expansion.hpp"
 #include "leonhard/kernel/integer_predicates.hpp"
+#include "leonhard/kernel/long_vector.hpp"
 #include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/small_multiples.hpp"
 #include "leonhard/kernel/stage.hpp"
 
 namespace leonhard::kernel {
 namespace {
-
-// ---- vectors of longer numbers ----
-
-template <class Number>
-struct LongVec3 {
-  Number x, y, z;
-};
-
-/// The exact difference of two points.
-LongVec3<DoubleDouble> difference(const Point3& a, const Point3& b) {
-  return {{two_difference(a.x, b.x)}, {two_difference(a.y, b.y)}, {two_difference(a.z, b.z)}};
-}
-
-LongVec3<Expansion<2>> expanded(const LongVec3<DoubleDouble>& v) {
-  return {Expansion<2>(v.x), Expansion<2>(v.y), Expansion<2>(v.z)};
-}
-
-template <class Number>
-auto dot(const LongVec3<Number>& u, const LongVec3<Number>& v) {
-  return u.x * v.x + u.y * v.y + u.z * v.z;
-}
 
 // ---- determinants of longer numbers ----
 
@@ -57,11 +35,6 @@ auto insphere_determinant(const LongVec3<Number>& u, const LongVec3<Number>& v, 
   const auto vwt = wt * v.z - vt * w.z + vw * t.z, uwt = wt * u.z + tu * w.z + uw * t.z,
              uvt = vt * u.z + tu * v.z + uv * t.z, uvw = vw * u.z - uw * v.z + uv * w.z;
   return (vwt * dot(u, u) - uwt * dot(v, v)) + (uvt * dot(w, w) - uvw * dot(t, t));
-}
-
-/// |v|^2, good to a few u: enough for the scale of an error bound.
-double rounded_square(const LongVec3<DoubleDouble>& v) {
-  return v.x.high * v.x.high + v.y.high * v.y.high + v.z.high * v.z.high;
 }
 
 /// The vectors are exact; a product has errors of 2 * 7 u^2, its minor 3 u^2, the sum 2 * 3 u^2, so 23 u^2 times the
@@ -103,9 +76,9 @@ StagedSign orient3d_beyond_filter(const Point3& a, const Point3& b, const Point3
   if (const auto s = integer::orient3d(a, b, c, d)) return {*s, Stage::integer};
   std::array points{a, b, c, d};
   if (!fit(points, exact_window<3>)) return {exact::orient3d(a, b, c, d), Stage::rational};
-  const auto u = difference(points[1], points[0]);
-  const auto v = difference(points[2], points[0]);
-  const auto w = difference(points[3], points[0]);
+  const auto u = long_difference(points[1], points[0]);
+  const auto v = long_difference(points[2], points[0]);
+  const auto w = long_difference(points[3], points[0]);
   if (const FilteredSign s = orient3d_double_double(u, v, w); s.is_certain())
     return {*s, Stage::double_double};
   return {triple_product(expanded(u), expanded(v), expanded(w)).sign(), Stage::expansion};
@@ -123,10 +96,10 @@ StagedSign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3
   if (const auto s = integer::insphere(a, b, c, d, e)) return {*s, Stage::integer};
   std::array points{a, b, c, d, e};
   if (!fit(points, exact_window<5>)) return {exact::insphere(a, b, c, d, e), Stage::rational};
-  const auto u = difference(points[0], points[4]);
-  const auto v = difference(points[1], points[4]);
-  const auto w = difference(points[2], points[4]);
-  const auto t = difference(points[3], points[4]);
+  const auto u = long_difference(points[0], points[4]);
+  const auto v = long_difference(points[1], points[4]);
+  const auto w = long_difference(points[2], points[4]);
+  const auto t = long_difference(points[3], points[4]);
   if (const FilteredSign s = insphere_double_double(u, v, w, t); s.is_certain())
     return {*s, Stage::double_double};
   return {insphere_determinant(expanded(u), expanded(v), expanded(w), expanded(t)).sign(), Stage::expansion};
@@ -184,13 +157,16 @@ Sign insphere_tie(const Point3& a, const Point3& b, const Point3& c, const Point
 Sign in_diametral_sphere_exact(const Point3& p, const Point3& a, const Point3& b) {
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::in_diametral_sphere(p, a, b);
-  return -dot(expanded(difference(points[1], points[0])), expanded(difference(points[2], points[0]))).sign();
+  return -dot(expanded(long_difference(points[1], points[0])),
+              expanded(long_difference(points[2], points[0])))
+              .sign();
 }
 
 Sign compare_distance_exact(const Point3& p, const Point3& a, const Point3& b) {
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::compare_distance(p, a, b);
-  const auto u = expanded(difference(points[1], points[0])), v = expanded(difference(points[2], points[0]));
+  const auto u = expanded(long_difference(points[1], points[0])),
+             v = expanded(long_difference(points[2], points[0]));
   return (dot(u, u) - dot(v, v)).sign();
 }
 

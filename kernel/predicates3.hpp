@@ -146,6 +146,17 @@ namespace leonhard::kernel {
   return in_diametral_sphere_exact(p, a, b);
 }
 
+// ---- angle ----
+
+/// Is the angle at `apex` between the rays to a and b acute, right or obtuse?
+///
+/// returns  the sign of its cosine: positive if it is acute, negative if it is obtuse; zero if it is right or if a ray has
+///          no direction, a or b being the apex
+/// Exact for all finite coordinates. Unchanged if a and b are swapped.
+[[nodiscard]] inline Sign angle(const Point3& a, const Point3& apex, const Point3& b) {
+  return -in_diametral_sphere(apex, a, b);
+}
+
 // ---- compare_distance ----
 
 /// Error bound: 5 roundings in each of the squared distances A and B, so 5u (A + B) <= 5u (2 A + |A - B|) and terms

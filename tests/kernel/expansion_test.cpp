@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <gmpxx.h>
+
 #include <cmath>
+#include <cstddef>
 
 #include "tests/kernel/point_families.hpp"
 
@@ -83,4 +85,34 @@ TEST_CASE("expansions_that_cancel_have_no_terms") {
     REQUIRE((zero * a).size() == 0);
     REQUIRE((a * zero).size() == 0);
   }
+}
+
+TEST_CASE("grow_adds_one_number_exactly") {
+  Random random(53);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto e = pair(random) * pair(random);
+    const double x = integer(random, 0, 2) == 0 && e.size() > 0 ? -e[0] : number(random);
+    const auto sum = k::grow(e, x);
+    REQUIRE(value(sum) == value(e) + mpq_class(x));
+    REQUIRE(well_formed(sum));
+  }
+}
+
+TEST_CASE("compress_keeps_the_value_in_fewer_terms_and_its_largest_is_a_rounding") {
+  Random random(54);
+  std::size_t terms = 0, compressed_terms = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto e = pair(random) * pair(random) - pair(random) * pair(random);
+    const auto compressed = k::compress(e);
+    REQUIRE(value(compressed) == value(e));
+    REQUIRE(well_formed(compressed));
+    REQUIRE(compressed.size() <= e.size());
+    terms += e.size();
+    compressed_terms += compressed.size();
+    if (compressed.size() == 0) continue;
+    const double largest = compressed[compressed.size() - 1];
+    const mpq_class error = value(e) - mpq_class(largest);
+    REQUIRE(abs(error) <= mpq_class(std::ldexp(1.0, std::ilogb(largest) - 52)));
+  }
+  CHECK(compressed_terms < terms);
 }

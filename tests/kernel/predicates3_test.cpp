@@ -189,3 +189,10 @@ TEST_CASE("the_filters_of_space_decide_nearly_all_uniform_points") {
   }
   CHECK(undecided == 0);
 }
+
+TEST_CASE("angles_of_space_are_told_apart_by_one_bit") {
+  const double above = std::nextafter(1.0, 2.0), below = std::nextafter(1.0, 0.0);
+  CHECK(k::angle({1, 1, 0}, {0, 0, 0}, {-1, 1, 5}) == Sign::zero);
+  CHECK(k::angle({1, 1, 0}, {0, 0, 0}, {-1, above, 5}) == Sign::positive);
+  CHECK(k::angle({1, 1, 0}, {0, 0, 0}, {-1, below, 5}) == Sign::negative);
+}

@@ -157,3 +157,19 @@ TEST_CASE("the_filters_decide_nearly_all_uniform_points") {
   }
   CHECK(undecided == 0);
 }
+
+TEST_CASE("compare_xy_is_lexicographic") {
+  CHECK(k::compare_xy({0, 5}, {1, 0}) == Sign::negative);
+  CHECK(k::compare_xy({1, 5}, {1, 0}) == Sign::positive);
+  CHECK(k::compare_xy({1, 0x1p-1074}, {1, 0}) == Sign::positive);
+  CHECK(k::compare_xy({0, -0.0}, {-0.0, 0}) == Sign::zero);
+}
+
+TEST_CASE("angles_of_the_plane_are_told_apart_by_one_bit") {
+  const double above = std::nextafter(1.0, 2.0), below = std::nextafter(1.0, 0.0);
+  CHECK(k::angle({1, 1}, {0, 0}, {-1, 1}) == Sign::zero);
+  CHECK(k::angle({1, 1}, {0, 0}, {-1, above}) == Sign::positive);
+  CHECK(k::angle({1, 1}, {0, 0}, {-1, below}) == Sign::negative);
+  CHECK(k::angle({1e300, 1e-300}, {0, 0}, {-1e-300, 1e300}) == Sign::zero);
+  CHECK(k::angle({0, 0}, {0, 0}, {1, 0}) == Sign::zero);
+}
