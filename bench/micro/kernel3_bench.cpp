@@ -20,47 +20,6 @@ using leonhard::benching::unit;
 
 namespace {
 
-using Input = leonhard::benching::Input<Point3, 5>;
-
-template <class Draw>
-Input random_calls(Draw draw) {
-  return leonhard::benching::random_calls<Point3, 5>(draw);
-}
-
-Input uniform() {
-  return random_calls([](Random& r) { return Point3{unit(r), unit(r), unit(r)}; });
-}
-Input plane() {
-  return random_calls([](Random& r) {
-    const double x = unit(r), y = unit(r);
-    return Point3{x, y, 0.1 * x + 0.3 * y};
-  });
-}
-Input sphere() {
-  return random_calls([](Random& r) {
-    const Vec3 v{unit(r) - 0.5, unit(r) - 0.5, unit(r) - 0.5};
-    return Point3{} + (1 / norm(v)) * v;
-  });
-}
-
-/// Cells of a 16 x 16 x 16 grid of the given spacing: each call asks about five corners of one cell, four of them in
-/// one face: always a tie, of orient3d and of insphere.
-Input grid(double origin, double spacing) {
-  constexpr std::uint32_t side = 16;
-  Input input;
-  for (std::uint32_t x = 0; x < side; ++x)
-    for (std::uint32_t y = 0; y < side; ++y)
-      for (std::uint32_t z = 0; z < side; ++z)
-        input.points.push_back({origin + spacing * x, origin + spacing * y, origin + spacing * z});
-  for (std::uint32_t x = 0; x + 1 < side; ++x)
-    for (std::uint32_t y = 0; y + 1 < side; ++y)
-      for (std::uint32_t z = 0; z + 1 < side; ++z) {
-        const std::uint32_t first = (x * side + y) * side + z;
-        input.calls.push_back({first, first + 1, first + side, first + side + 1, first + side * side});
-      }
-  return input;
-}
-
 // Each predicate, the bare determinant, the filter and the oracle in one form: (a, b, c, d, e).
 struct Orient3d {
   static Sign predicate(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3&) {
@@ -105,12 +64,7 @@ struct InspherePerturbed : Insphere {
 };
 
 const bool registered = [] {
-  const std::vector<std::pair<std::string, Input>> inputs{{"uniform", uniform()},
-                                                          {"plane", plane()},
-                                                          {"sphere", sphere()},
-                                                          {"integer_grid", grid(0, 1)},
-                                                          {"tenths_grid", grid(1.0 / 3, 0.1)},
-                                                          {"tiny_grid", grid(0, 0x1p-1074)}};
+  const auto inputs = leonhard::benching::inputs_of_space();
   leonhard::benching::register_predicate<Orient3d>("orient3d", inputs);
   leonhard::benching::register_predicate<Insphere>("insphere", inputs);
   leonhard::benching::register_predicate<InspherePerturbed>("insphere_perturbed", inputs);

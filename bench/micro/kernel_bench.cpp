@@ -26,43 +26,6 @@ using leonhard::benching::unit;
 
 namespace {
 
-using Input = leonhard::benching::Input<Point2, 4>;
-
-template <class Draw>
-Input random_calls(Draw draw) {
-  return leonhard::benching::random_calls<Point2, 4>(draw);
-}
-
-Input uniform() {
-  return random_calls([](Random& r) { return Point2{unit(r), unit(r)}; });
-}
-Input line() {
-  return random_calls([](Random& r) {
-    const double t = unit(r);
-    return Point2{t, 0.1 * t};
-  });
-}
-Input circle() {
-  return random_calls([](Random& r) {
-    const double angle_rad = 6.283185307179586 * unit(r);
-    return Point2{std::cos(angle_rad), std::sin(angle_rad)};
-  });
-}
-
-/// Cells of a 64 x 64 grid of the given spacing: each call asks about the four corners of one cell, always a tie.
-Input grid(double origin, double spacing) {
-  Input input;
-  for (std::uint32_t row = 0; row < 64; ++row)
-    for (std::uint32_t column = 0; column < 64; ++column)
-      input.points.push_back({origin + spacing * column, origin + spacing * row});
-  for (std::uint32_t row = 0; row + 1 < 64; ++row)
-    for (std::uint32_t column = 0; column + 1 < 64; ++column) {
-      const std::uint32_t first = row * 64 + column;
-      input.calls.push_back({first, first + 1, first + 65, first + 64});
-    }
-  return input;
-}
-
 // Each predicate, the bare determinant, the filter and the oracle in one form: (a, b, c, d).
 struct Orient2d {
   static Sign predicate(const Point2& a, const Point2& b, const Point2& c, const Point2&) {
@@ -130,12 +93,7 @@ void register_order(const char* name, void (*function)(benchmark::State&)) {
 }
 
 const bool registered = [] {
-  const std::vector<std::pair<std::string, Input>> inputs{{"uniform", uniform()},
-                                                          {"line", line()},
-                                                          {"circle", circle()},
-                                                          {"integer_grid", grid(0, 1)},
-                                                          {"tenths_grid", grid(1.0 / 3, 0.1)},
-                                                          {"tiny_grid", grid(0, 0x1p-1074)}};
+  const auto inputs = leonhard::benching::inputs_of_the_plane();
   leonhard::benching::register_predicate<Orient2d>("orient2d", inputs);
   leonhard::benching::register_predicate<Incircle>("incircle", inputs);
   leonhard::benching::register_predicate<IncirclePerturbed>("incircle_perturbed", inputs);

@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/predicate_inputs.hpp"
 #include "leonhard/kernel/sign.hpp"
 
 /// How predicates are timed beside the bare determinant, which answers wrongly on hard points but sets the price to aim
@@ -25,34 +25,6 @@
 /// A predicate is given as a struct of four static functions of its points, all by reference: predicate, bare, filtered
 /// and oracle.
 namespace leonhard::benching {
-
-using Random = std::mt19937_64;
-constexpr std::size_t point_count = 4096;  // a power of two
-constexpr std::size_t call_count = 4096;
-
-inline double unit(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
-
-/// Points, and calls of predicates as indices of Count of them.
-template <class Point, std::size_t Count>
-struct Input {
-  std::vector<Point> points;
-  std::vector<std::array<std::uint32_t, Count>> calls;
-};
-
-template <class Point, std::size_t Count, class Draw>
-Input<Point, Count> random_calls(Draw draw) {
-  Random random(1);
-  Input<Point, Count> input;
-  for (std::size_t i = 0; i < point_count; ++i) input.points.push_back(draw(random));
-  constexpr auto count = static_cast<std::uint32_t>(Count);
-  std::uniform_int_distribution<std::uint32_t> any(0, point_count / count - 1);
-  for (std::size_t i = 0; i < call_count; ++i) {
-    std::array<std::uint32_t, Count> call;
-    for (std::uint32_t j = 0; j < count; ++j) call[j] = count * any(random) + j;  // so they differ
-    input.calls.push_back(call);
-  }
-  return input;
-}
 
 inline Sign rounded_sign(double x) { return sign_of(x); }
 

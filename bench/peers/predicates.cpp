@@ -12,12 +12,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "bench/predicate_inputs.hpp"
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/batch.hpp"
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/insertion_order.hpp"
 #include "leonhard/kernel/predicates.hpp"
@@ -52,6 +54,10 @@ Cgal::Point_3 cgal(const Point3& p) { return {p.x, p.y, p.z}; }
 struct Orient2d {
   static constexpr const char* name = "orient2d";
   static constexpr std::size_t arity = 3;
+  static void batch(std::span<const Point2> points, std::span<const std::array<std::uint32_t, 3>> calls,
+                    std::span<Sign> signs) {
+    k::orient2d(points, calls, signs);
+  }
   static int ours(const Point2& a, const Point2& b, const Point2& c) { return number(k::orient2d(a, b, c)); }
   static int bare(const Point2& a, const Point2& b, const Point2& c) {
     return number((a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x));
@@ -67,6 +73,10 @@ struct Orient2d {
 struct Incircle {
   static constexpr const char* name = "incircle";
   static constexpr std::size_t arity = 4;
+  static void batch(std::span<const Point2> points, std::span<const std::array<std::uint32_t, 4>> calls,
+                    std::span<Sign> signs) {
+    k::incircle(points, calls, signs);
+  }
   static int ours(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
     return number(k::incircle(a, b, c, d));
   }
@@ -86,6 +96,10 @@ struct Incircle {
 struct Orient3d {
   static constexpr const char* name = "orient3d";
   static constexpr std::size_t arity = 4;
+  static void batch(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> calls,
+                    std::span<Sign> signs) {
+    k::orient3d(points, calls, signs);
+  }
   static int ours(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
     return number(k::orient3d(a, b, c, d));
   }
@@ -104,6 +118,10 @@ struct Orient3d {
 struct Insphere {
   static constexpr const char* name = "insphere";
   static constexpr std::size_t arity = 5;
+  static void batch(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 5>> calls,
+                    std::span<Sign> signs) {
+    k::insphere(points, calls, signs);
+  }
   static int ours(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
     return number(k::insphere(a, b, c, d, e));
   }
@@ -198,6 +216,28 @@ void compare(const std::string& words, const Input<Point, Count>& input) {
   std::fflush(stdout);
 }
 
+// ---- batches ----
+
+template <class P, class Point, std::size_t Count>
+void compare_batch(const char* words, std::vector<Point> points) {
+  Random random(3);
+  const auto last = static_cast<std::uint32_t>(points.size() - 1);
+  std::uniform_int_distribution<std::uint32_t> any(0, last);
+  std::vector<std::array<std::uint32_t, Count>> calls(points.size());
+  for (auto& call : calls)
+    for (std::uint32_t& id : call) id = any(random);
+  std::vector<Sign> signs(calls.size());
+  double scalar = 1e9, batch = 1e9;
+  const auto deadline = Clock::now() + std::chrono::milliseconds(600);
+  do {
+    scalar = std::min(scalar, seconds_of([&] { sink = run_all<P::ours, Count>(points, calls); }));
+    batch = std::min(batch, seconds_of([&] { P::batch(points, calls, signs); }));
+  } while (Clock::now() < deadline);
+  const double calls_made = static_cast<double>(calls.size());
+  fmt::print("{:<9} {:<15} {:8.2f} {:8.2f}   {:8.2f}\n", P::name, words, 1e9 * scalar / calls_made,
+             1e9 * batch / calls_made, scalar / batch);
+}
+
 // ---- orders ----
 
 template <class Point>
@@ -209,6 +249,14 @@ std::vector<Point> uniform_points(std::size_t count) {
     if constexpr (std::is_same_v<Point, Point3>) p.z = unit(random);
   }
   return points;
+}
+
+template <std::size_t Size>
+void compare_batches(const char* words) {
+  compare_batch<Orient2d, Point2, 3>(words, uniform_points<Point2>(Size));
+  compare_batch<Incircle, Point2, 4>(words, uniform_points<Point2>(Size));
+  compare_batch<Orient3d, Point3, 4>(words, uniform_points<Point3>(Size));
+  compare_batch<Insphere, Point3, 5>(words, uniform_points<Point3>(Size));
 }
 
 /// Ours gives indices and leaves the points alone, CGAL's sorts the points themselves.
@@ -251,6 +299,10 @@ int main() {
     compare<Orient3d>(words, input);
     compare<Insphere>(words, input);
   }
+  fmt::print("\nby id, one by one and in a batch, ns a call\n{:<9} {:<15} {:>8} {:>8}   {:>8}\n", "predicate",
+             "points", "one", "batch", "one over batch");
+  compare_batches<4096>("4096 uniform");
+  compare_batches<1'000'000>("10^6 uniform");
   fmt::print("\n10^6 uniform points, ms\n{:<6} {:>14} {:>14} {:>14} {:>14}   {:>20} {:>20}\n", "",
              "hilbert_order", "brio_order", "CGAL hilbert", "CGAL spatial", "hilbert over spatial",
              "brio over spatial");
