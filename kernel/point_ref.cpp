@@ -126,5 +126,7 @@ ImplicitPoint<Point, Count>::ImplicitPoint(const std::array<Point, Count>& defin
 }
 
 template class ImplicitPoint<Point2, 4>;
+template class ImplicitPoint<Point3, 5>;
+template class ImplicitPoint<Point3, 9>;
 
 }  // namespace leonhard::kernel

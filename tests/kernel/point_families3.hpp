@@ -137,14 +137,16 @@ inline std::vector<PointFamily3> point_families3() {
   };
 }
 
-/// The points as C++ source, to be pasted into a regression test.
+/// Points as C++ source, to be pasted into a regression test.
+inline std::string as_source(const Point3& p) {
+  char text[120];
+  std::snprintf(text, sizeof text, "{%a, %a, %a}, ", p.x, p.y, p.z);
+  return text;
+}
+
 inline std::string as_source(const Quintuple& points) {
   std::string source;
-  for (const Point3& p : points) {
-    char text[120];
-    std::snprintf(text, sizeof text, "{%a, %a, %a}, ", p.x, p.y, p.z);
-    source += text;
-  }
+  for (const Point3& p : points) source += as_source(p);
   return source;
 }
 
