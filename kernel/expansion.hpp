@@ -9,8 +9,8 @@
 
 #include "leonhard/kernel/sign.hpp"
 
-#ifdef __FAST_MATH__
-#error "leonhard: expansion arithmetic cannot be compiled with -ffast-math"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+#error "leonhard: expansion arithmetic cannot be compiled with -ffast-math or a part of it"
 #endif
 
 /// Exact arithmetic on sums of doubles: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and

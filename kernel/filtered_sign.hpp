@@ -8,8 +8,8 @@
 
 #include "leonhard/kernel/sign.hpp"
 
-#ifdef __FAST_MATH__
-#error "leonhard: exact predicates cannot be compiled with -ffast-math"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+#error "leonhard: exact predicates cannot be compiled with -ffast-math or a part of it"
 #endif
 
 /// What the floating-point filters of predicates.hpp and predicates3.hpp share.

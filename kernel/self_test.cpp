@@ -15,6 +15,7 @@ bool fuses_products_and_sums() {
   return a * a - b != 0;  // fused, the 2^-60 that rounding drops comes back
 }
 
+/// Or has the compiler cancelled operands against each other?
 bool keeps_excess_precision() {
   volatile double one = 1, huge = 0x1p1000, tiny = 0x1p-60;
   const double a = one, b = huge, c = tiny;
@@ -47,7 +48,8 @@ std::optional<std::string> floating_point_self_test() {
   };
   report(fuses_products_and_sums(),
          "products and sums are fused into one rounding (compile with -ffp-contract=off)");
-  report(keeps_excess_precision(), "intermediate results keep excess precision (compile for SSE2, not x87)");
+  report(keeps_excess_precision(), "intermediate results keep excess precision or sums are reassociated (compile for SSE2, not x87, and without "
+         "-ffast-math)");
   report(rounds_other_than_to_nearest(),
          "the rounding mode is not to nearest (a library changed it: fesetround)");
   report(flushes_subnormals(),

@@ -152,7 +152,7 @@ void check_sizes() {
 template <class P>
 void check_quality(const auto& family) {
   Random random(302);
-  const auto batch = batch_of<P>(family, 100'000, random);
+  const auto batch = batch_of<P>(family, static_cast<std::size_t>(scaled_calls(100'000)), random);
   const auto truth = scalar(batch);
   for (const auto* build : builds()) CHECK(undecided(filtered(*build, batch), truth) == 0);
 }

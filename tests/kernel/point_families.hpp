@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <random>
 #include <string>
@@ -30,6 +31,13 @@ inline double uniform(Random& random, double low = -1, double high = 1) {
 
 inline int integer(Random& random, int low, int high) {
   return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+/// How many random calls a test makes: `calls`, or a share of them where the environment has LEONHARD_TEST_DIVISOR, as
+/// on an emulated processor (tests/roundings).
+inline int scaled_calls(int calls) {
+  const char* divisor = std::getenv("LEONHARD_TEST_DIVISOR");
+  return divisor == nullptr ? calls : std::max(1, calls / std::max(1, std::atoi(divisor)));
 }
 
 /// Moves x by at most two units in the last place.

@@ -65,6 +65,7 @@ bool any_equal(const std::array<WeightedPoint, Count>& points, bool weights_too)
 template <class Families, class Check>
 void for_all_weighted(unsigned seed, const Families& families, int calls, Check check) {
   Random random(seed);
+  calls = scaled_calls(calls);
   for (const auto& family : families)
     for (int kind = 0; kind < weight_kinds; ++kind) {
       CAPTURE(family.name);
@@ -102,7 +103,7 @@ TEST_CASE("power_test_of_the_plane_agrees_with_rational_arithmetic") {
     REQUIRE(power(q) == truth);
     REQUIRE(k::power_test_exact(q[0], q[1], q[2], q[3]) == truth);
   });
-  CHECK(ties > 1500);
+  CHECK(ties > scaled_calls(1500));
 }
 
 TEST_CASE("power_test_of_space_agrees_with_rational_arithmetic") {
@@ -113,7 +114,7 @@ TEST_CASE("power_test_of_space_agrees_with_rational_arithmetic") {
     REQUIRE(power(q) == truth);
     REQUIRE(k::power_test_exact(q[0], q[1], q[2], q[3], q[4]) == truth);
   });
-  CHECK(ties > 1500);
+  CHECK(ties > scaled_calls(1500));
 }
 
 TEST_CASE("compare_power_distance_agrees_with_rational_arithmetic") {
@@ -125,7 +126,7 @@ TEST_CASE("compare_power_distance_agrees_with_rational_arithmetic") {
     REQUIRE(k::compare_power_distance_exact(q[0].point, q[1], q[2]) == truth);
     REQUIRE(k::compare_power_distance(q[0].point, q[2], q[1]) == -truth);
   });
-  CHECK(ties > 300);
+  CHECK(ties > scaled_calls(300));
 }
 
 TEST_CASE("predicates_of_weighted_points_have_the_documented_signs") {
@@ -264,7 +265,7 @@ TEST_CASE("perturbed_power_test_is_power_test_where_that_is_not_zero_and_else_br
       REQUIRE(perturbed(q) != Sign::zero);
     }
   });
-  CHECK(ties > 1000);
+  CHECK(ties > scaled_calls(1000));
 }
 
 TEST_CASE("two_equal_points_tie_only_with_equal_weights_or_if_all_are_flat") {

@@ -22,6 +22,7 @@ namespace {
 template <class Predicate, class Exact, class Oracle>
 void check_against_oracle(int calls_a_family, Predicate predicate, Exact exact_part, Oracle oracle) {
   Random random(20240301);
+  calls_a_family = scaled_calls(calls_a_family);
   for (const PointFamily3& family : point_families3()) {
     CAPTURE(family.name);
     for (int i = 0; i < calls_a_family; ++i) {
@@ -153,8 +154,9 @@ TEST_CASE("predicates_of_space_keep_products_that_underflow_or_overflow") {
 
 TEST_CASE("orient3d_follows_the_sign_of_every_permutation") {
   Random random(71);
+  const int calls = scaled_calls(500);
   for (const PointFamily3& family : point_families3())
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < calls; ++i) {
       const Quintuple q = family.draw(random);
       const Sign s = k::orient3d(q[0], q[1], q[2], q[3]);
       CAPTURE(as_source(q));
@@ -166,8 +168,9 @@ TEST_CASE("orient3d_follows_the_sign_of_every_permutation") {
 
 TEST_CASE("insphere_follows_the_sign_of_every_permutation") {
   Random random(72);
+  const int calls = scaled_calls(50);
   for (const PointFamily3& family : point_families3())
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < calls; ++i) {
       const Quintuple q = family.draw(random);
       const Sign s = k::insphere(q[0], q[1], q[2], q[3], q[4]);
       CAPTURE(as_source(q));

@@ -23,9 +23,10 @@ namespace {
 template <class Predicate, class Exact, class Oracle>
 void check_against_oracle(Predicate predicate, Exact exact_part, Oracle oracle) {
   Random random(20240229);
+  const int calls_a_family = scaled_calls(16'000);
   for (const PointFamily& family : point_families()) {
     CAPTURE(family.name);
-    for (int i = 0; i < 16'000; ++i) {
+    for (int i = 0; i < calls_a_family; ++i) {
       const Quadruple q = family.draw(random);
       const Sign truth = oracle(q);
       if (predicate(q) == truth && exact_part(q) == truth) continue;
@@ -114,11 +115,13 @@ TEST_CASE("negative_zero_is_zero") {
 
 TEST_CASE("orient2d_flips_sign_under_every_swap_and_keeps_it_under_rotation") {
   Random random(7);
+  const int calls = scaled_calls(2000);
   for (const PointFamily& family : point_families())
-    for (int i = 0; i < 2000; ++i) {
-      const auto [a, b, c, unused] = family.draw(random);
+    for (int i = 0; i < calls; ++i) {
+      const Quadruple q = family.draw(random);
+      const auto& [a, b, c, unused] = q;
       const Sign s = k::orient2d(a, b, c);
-      CAPTURE(as_source({a, b, c, {}}));
+      CAPTURE(as_source(q));
       REQUIRE(k::orient2d(b, c, a) == s);
       REQUIRE(k::orient2d(c, a, b) == s);
       REQUIRE(k::orient2d(b, a, c) == -s);
@@ -129,8 +132,9 @@ TEST_CASE("orient2d_flips_sign_under_every_swap_and_keeps_it_under_rotation") {
 
 TEST_CASE("incircle_follows_the_sign_of_every_permutation") {
   Random random(8);
+  const int calls = scaled_calls(1000);
   for (const PointFamily& family : point_families())
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < calls; ++i) {
       const Quadruple q = family.draw(random);
       const Sign s = k::incircle(q[0], q[1], q[2], q[3]);
       std::array<std::size_t, 4> p{0, 1, 2, 3};

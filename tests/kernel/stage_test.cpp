@@ -32,6 +32,7 @@ using Tally = std::map<Stage, int>;
 template <class Families, class Staged, class Oracle>
 Tally tally(const Families& families, int calls_a_family, Staged staged, Oracle oracle) {
   Random random(81);
+  calls_a_family = scaled_calls(calls_a_family);
   Tally counts;
   for (const auto& family : families) {
     CAPTURE(family.name);
@@ -49,6 +50,7 @@ Tally tally(const Families& families, int calls_a_family, Staged staged, Oracle 
 template <class Families, class Integers, class Oracle>
 void check_integers(const Families& families, int calls_a_family, Integers integers, Oracle oracle) {
   Random random(82);
+  calls_a_family = scaled_calls(calls_a_family);
   int answered = 0, ties = 0;
   for (const auto& family : families) {
     CAPTURE(family.name);

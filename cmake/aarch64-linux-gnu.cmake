@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: MIT
+# Toolchain: 64-bit ARM from another Linux. Static programs, run by qemu in user mode; tests/roundings uses it.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64)
