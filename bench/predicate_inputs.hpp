@@ -48,6 +48,11 @@ Input<Point, Count> random_calls(Draw draw) {
   return input;
 }
 
+/// A number of any binary exponent that doubles have.
+inline double any_exponent(Random& random) {
+  return std::ldexp(unit(random), std::uniform_int_distribution<int>(-1074, 1024)(random));
+}
+
 /// An integer below `end`.
 inline double small_integer(Random& random, int end) {
   return std::uniform_int_distribution<int>(0, end - 1)(random);
@@ -89,6 +94,9 @@ inline NamedInputs<Point2, 4> inputs_of_the_plane() {
       {"circle", drawn([](Random& r) {
          const double angle_rad = 6.283185307179586 * unit(r);
          return Point2{std::cos(angle_rad), std::sin(angle_rad)};
+       })},
+      {"mixed_exponents", drawn([](Random& r) {
+         return Point2{any_exponent(r), any_exponent(r)};
        })},
   };
 }
@@ -132,6 +140,9 @@ inline NamedInputs<Point3, 5> inputs_of_space() {
       {"sphere", drawn([](Random& r) {
          const Vec3 v{unit(r) - 0.5, unit(r) - 0.5, unit(r) - 0.5};
          return Point3{} + (1 / norm(v)) * v;
+       })},
+      {"mixed_exponents", drawn([](Random& r) {
+         return Point3{any_exponent(r), any_exponent(r), any_exponent(r)};
        })},
   };
 }
