@@ -63,8 +63,8 @@ struct ExactPointEquality {
 ///   bool convex = boost::geometry::is_convex(ring, leonhard::kernel::ExactSide{});
 ///   bool inside = boost::geometry::within(Point2{1e-10, 1e-10}, ring, leonhard::kernel::ExactWinding{});
 ///
-/// Coordinates are float or double and finite. convex_hull of Boost before 1.76 and all overlays (intersection,
-/// union_) take no side strategy.
+/// is_convex needs <boost/geometry/algorithms/is_convex.hpp>. Coordinates are float or double and finite. convex_hull of
+/// Boost before 1.76 and all overlays (intersection, union_) take no side strategy.
 struct ExactSide {
   using cs_tag = boost::geometry::cartesian_tag;
   using equals_point_point_strategy_type = ExactPointEquality;

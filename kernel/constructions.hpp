@@ -25,8 +25,7 @@ struct Ball {
   Point centre;         // where the coordinates are
   double radius;        // in units of the coordinates
   double centre_error;  // upper bound of the distance of centre from the exact centre
-  double
-      radius_error;  // upper bound of |radius - exact radius|; the radius is not that of the rounded centre
+  double radius_error;  // upper bound of |radius - exact radius|; the exact one is about the exact centre
 };
 
 using Circle = Ball<Point2>;
