@@ -123,7 +123,7 @@ ConstrainedTriangulation keep(const ConstrainedTriangulation& in, const std::vec
     for (unsigned k = 0; k < 3; ++k) {
       const SideId s = topology.side(TriangleId::from(i), k), twin = from.twin(from.side(kept[i], k));
       if (const MaybeId<TriangleId> behind = new_of_old[from.triangle(twin).index()]) {
-        topology.link(s, topology.side(*behind, twin.raw % 3));
+        topology.link(s, topology.side(*behind, topology.number(twin)));
       } else {
         topology.link(s, s);
         open.push_back(s);

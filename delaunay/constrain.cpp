@@ -19,7 +19,8 @@ class SegmentInserter {
  public:
   SegmentInserter(ConstrainedTriangulation& in, const Pslg& pslg)
       : in_(in), topology_(in.topology()), pslg_(pslg), side_from_(in.points().size()) {
-    for (std::size_t k = 0; k < 3 * topology_.triangle_count(); ++k) remember(SideId::from(k));
+    for (std::size_t t = 0; t < topology_.triangle_count(); ++t)
+      for (unsigned i = 0; i < 3; ++i) remember(topology_.side(TriangleId::from(t), i));
   }
 
   void insert(VertexId from, VertexId to, std::size_t segment, std::vector<OverlapNote>& overlaps) {

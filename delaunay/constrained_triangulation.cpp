@@ -14,7 +14,7 @@ ConstrainedTriangulation::ConstrainedTriangulation(GhostTriangulation topology, 
       piece_of_side_(3 * topology_.triangle_count()) {}
 
 void ConstrainedTriangulation::set_piece(SideId s, MaybeId<PieceId> p) {
-  piece_of_side_[s.index()] = p;
+  piece_of_side_[topology_.slot(s)] = p;
   if (p) pieces_[*p].side = s;
 }
 
@@ -76,8 +76,9 @@ PieceId ConstrainedTriangulation::split_piece(PieceId p, VertexId v, const Cavit
 std::optional<std::string> ConstrainedTriangulation::validate() const {
   if (auto broken = topology_.validate()) return broken;
   for (std::size_t k = 0; k < piece_of_side_.size(); ++k) {
-    const SideId s = SideId::from(k), t = topology_.twin(s);
-    const std::string name = "side " + std::to_string(k % 3) + " of triangle " + std::to_string(k / 3);
+    const SideId s = topology_.side(TriangleId::from(k / 3), static_cast<unsigned>(k % 3)),
+                 t = topology_.twin(s);
+    const std::string name = topology_.name(s);
     if (piece_of(s) != piece_of(t)) return name + " and its twin belong to different pieces";
     if (const MaybeId<PieceId> p = piece_of(s)) {
       const VertexId a = topology_.origin(s), b = topology_.destination(s);

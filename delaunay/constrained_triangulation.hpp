@@ -40,8 +40,8 @@ class ConstrainedTriangulation {
   [[nodiscard]] Point2 point(VertexId v) const { return points_[v.index()]; }
   [[nodiscard]] const PerId<PieceId, Piece>& pieces() const { return pieces_; }
   [[nodiscard]] const Piece& piece(PieceId p) const { return pieces_[p]; }
-  [[nodiscard]] MaybeId<PieceId> piece_of(SideId s) const { return piece_of_side_[s.index()]; }
-  [[nodiscard]] bool is_constrained(SideId s) const { return piece_of_side_[s.index()].has_value(); }
+  [[nodiscard]] MaybeId<PieceId> piece_of(SideId s) const { return piece_of_side_[topology_.slot(s)]; }
+  [[nodiscard]] bool is_constrained(SideId s) const { return piece_of_side_[topology_.slot(s)].has_value(); }
   /// 0: in no region, otherwise one more than the region's index in the input. Empty until regions are assigned.
   [[nodiscard]] const std::vector<std::uint32_t>& region_of() const { return region_of_; }
   void set_regions(std::vector<std::uint32_t> region_of) { region_of_ = std::move(region_of); }

@@ -153,7 +153,8 @@ void copy_edges(const Domain& domain, const std::vector<MaybeId<VertexId>>& numb
 
 }  // namespace
 
-Domain make_domain(const Pslg& pslg, bool keep_convex_hull, const Progress& progress) {
+Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Algorithm algorithm,
+                   const AlgorithmOptions& options) {
   // 1. check
   check(pslg);
   // 2. sort and merge
@@ -161,18 +162,18 @@ Domain make_domain(const Pslg& pslg, bool keep_convex_hull, const Progress& prog
   domain.sorted = sort_and_merge(pslg.points);
   note_duplicates(pslg, domain.sorted, domain.repairs);
   // 3. triangulate
-  IncrementalResult points_only = triangulate_incrementally(domain.sorted.points, progress);
+  PointTriangulation points_only = triangulate_distinct(domain.sorted.points, algorithm, options);
   domain.outcome = points_only.outcome;
-  if (domain.outcome != IncrementalResult::Outcome::done) return domain;
+  if (domain.outcome != TriangulateOutcome::done) return domain;
   domain.cells =
       ConstrainedTriangulation(std::move(points_only.triangulation), std::move(domain.sorted.points));
   // 4. constrain and carve
   std::vector<VertexId> vertex_of;
   vertex_of.reserve(pslg.points.size());
   for (const std::uint32_t i : domain.sorted.sorted_index) vertex_of.push_back(VertexId{i});
-  note_overlaps(insert_segments(domain.cells, pslg, vertex_of, progress), domain.repairs);
-  if (progress.stop_requested()) {
-    domain.outcome = IncrementalResult::Outcome::stopped;
+  note_overlaps(insert_segments(domain.cells, pslg, vertex_of, options.progress), domain.repairs);
+  if (options.progress.stop_requested()) {
+    domain.outcome = TriangulateOutcome::stopped;
     return domain;
   }
   domain.cells = carve(domain.cells, pslg, keep_convex_hull || pslg.segments.empty(), domain.repairs);

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/constrained_triangulation.hpp"
-#include "leonhard/delaunay/incremental.hpp"
+#include "leonhard/delaunay/sorted_points.hpp"
 #include "leonhard/kernel/progress.hpp"
 #include "leonhard/mesh/pslg.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
@@ -14,7 +15,7 @@ namespace leonhard::delaunay {
 
 /// A planar straight-line graph on its way to a mesh: sorted, triangulated, constrained, carved.
 struct Domain {
-  IncrementalResult::Outcome outcome = IncrementalResult::Outcome::done;
+  TriangulateOutcome outcome = TriangulateOutcome::done;
   SortedPoints sorted;             ///< vertex i of the triangulation is its point i; the points moved on
   ConstrainedTriangulation cells;  ///< carved; every boundary edge is a piece. Empty unless done
   std::vector<std::string> repairs;
@@ -24,7 +25,8 @@ struct Domain {
 ///
 /// keep_convex_hull  as in TriangulateOptions; a graph without segments keeps it too
 /// throws            InputError, as listed at triangulate
-[[nodiscard]] Domain make_domain(const Pslg& pslg, bool keep_convex_hull, const Progress& progress);
+[[nodiscard]] Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Algorithm algorithm,
+                                 const AlgorithmOptions& options);
 
 /// The domain's cells as a mesh: input vertices first, in the order of the points that made them, then those
 /// added since; points without a triangle are left out.

@@ -18,6 +18,10 @@ void GhostTriangulation::start(VertexId a, VertexId b, VertexId c) {
   }
 }
 
+std::string GhostTriangulation::name(SideId s) {
+  return "side " + std::to_string(number(s)) + " of triangle " + std::to_string(triangle(s).raw);
+}
+
 GhostTriangulation::Flipped GhostTriangulation::flip(SideId s) {
   const SideId t = twin(s);
   const SideId s_next = next(s), s_previous = previous(s), t_next = next(t), t_previous = previous(t);
@@ -26,8 +30,8 @@ GhostTriangulation::Flipped GhostTriangulation::flip(SideId s) {
 
   // (left, from, to) becomes (left, from, right), (right, to, from) becomes (right, to, left): each keeps two
   // corners, and with them the outer side between these.
-  corners_[s_previous.index()] = right;
-  corners_[t_previous.index()] = left;
+  corners_[slot(s_previous)] = right;
+  corners_[slot(t_previous)] = left;
   link(s, beyond_t_next);
   link(t, beyond_s_next);
   link(s_next, t_next);
@@ -36,14 +40,13 @@ GhostTriangulation::Flipped GhostTriangulation::flip(SideId s) {
 
 std::optional<std::string> GhostTriangulation::validate() const {
   for (std::size_t k = 0; k < corners_.size(); ++k) {
-    const SideId s = SideId::from(k);
-    const std::string name = "side " + std::to_string(k % 3) + " of triangle " + std::to_string(k / 3);
-    if (twin(s).index() >= corners_.size() || twin(twin(s)) != s)
-      return name + " has a twin that does not point back";
+    const SideId s = side(TriangleId::from(k / 3), static_cast<unsigned>(k % 3));
+    if (number(twin(s)) > 2 || slot(twin(s)) >= corners_.size() || twin(twin(s)) != s)
+      return name(s) + " has a twin that does not point back";
     if (origin(s) != destination(twin(s)) || destination(s) != origin(twin(s)))
-      return name + " and its twin do not share their ends";
-    if (origin(s) == destination(s)) return name + " joins a vertex to itself";
-    if (k % 3 != 0 && apex(s) == ghost)
+      return name(s) + " and its twin do not share their ends";
+    if (origin(s) == destination(s)) return name(s) + " joins a vertex to itself";
+    if (number(s) != 0 && apex(s) == ghost)
       return "the ghost is not at corner 0 of triangle " + std::to_string(k / 3);
   }
   return std::nullopt;

@@ -13,7 +13,7 @@
 
 namespace leonhard::delaunay {
 
-/// Side i of triangle t has number 3 t + i and lies opposite corner i.
+/// Side i of triangle t has number 4 t + i, i < 3, and lies opposite corner i.
 using SideId = Id<struct TriangulationSideTag>;
 
 /// A triangulation of the sphere as pure combinatorics: no coordinates. One vertex may be the ghost: it stands for
@@ -26,20 +26,26 @@ class GhostTriangulation {
  public:
   static constexpr VertexId ghost{std::numeric_limits<IdRaw>::max() - 1};
 
-  [[nodiscard]] static SideId side(TriangleId t, unsigned i) { return SideId{3 * t.raw + i}; }
-  [[nodiscard]] static TriangleId triangle(SideId s) { return TriangleId{s.raw / 3}; }
-  [[nodiscard]] static SideId next(SideId s) { return SideId{s.raw % 3 == 2 ? s.raw - 2 : s.raw + 1}; }
-  [[nodiscard]] static SideId previous(SideId s) { return SideId{s.raw % 3 == 0 ? s.raw + 2 : s.raw - 1}; }
+  [[nodiscard]] static SideId side(TriangleId t, unsigned i) { return SideId{4 * t.raw + i}; }
+  [[nodiscard]] static TriangleId triangle(SideId s) { return TriangleId{s.raw >> 2}; }
+  /// Which side of its triangle it is: 0, 1 or 2.
+  [[nodiscard]] static unsigned number(SideId s) { return static_cast<unsigned>(s.raw & 3); }
+  [[nodiscard]] static SideId next(SideId s) { return SideId{number(s) == 2 ? s.raw - 2 : s.raw + 1}; }
+  [[nodiscard]] static SideId previous(SideId s) { return SideId{number(s) == 0 ? s.raw + 2 : s.raw - 1}; }
+  /// Its place in an array of three entries a triangle: 3 t + i.
+  [[nodiscard]] static std::size_t slot(SideId s) { return s.index() - (s.index() >> 2); }
+  /// "side 1 of triangle 7", for messages.
+  [[nodiscard]] static std::string name(SideId s);
 
   [[nodiscard]] std::size_t triangle_count() const { return corners_.size() / 3; }
   [[nodiscard]] VertexId corner(TriangleId t, unsigned i) const { return corners_[3 * t.index() + i]; }
   /// The corner that the side lies opposite to.
-  [[nodiscard]] VertexId apex(SideId s) const { return corners_[s.index()]; }
+  [[nodiscard]] VertexId apex(SideId s) const { return corners_[slot(s)]; }
   /// A side runs from its origin to its destination, its triangle on the left.
-  [[nodiscard]] VertexId origin(SideId s) const { return corners_[next(s).index()]; }
-  [[nodiscard]] VertexId destination(SideId s) const { return corners_[previous(s).index()]; }
+  [[nodiscard]] VertexId origin(SideId s) const { return corners_[slot(next(s))]; }
+  [[nodiscard]] VertexId destination(SideId s) const { return corners_[slot(previous(s))]; }
   /// The same edge seen from the other triangle, running the other way.
-  [[nodiscard]] SideId twin(SideId s) const { return twins_[s.index()]; }
+  [[nodiscard]] SideId twin(SideId s) const { return twins_[slot(s)]; }
   [[nodiscard]] bool is_ghost(TriangleId t) const { return corners_[3 * t.index()] == ghost; }
   /// The next side counter-clockwise about the common origin.
   [[nodiscard]] SideId turn_about_origin(SideId s) const { return twin(previous(s)); }
@@ -61,8 +67,8 @@ class GhostTriangulation {
     at[2] = c;
   }
   void link(SideId s, SideId t) {
-    twins_[s.index()] = t;
-    twins_[t.index()] = s;
+    twins_[slot(s)] = t;
+    twins_[slot(t)] = s;
   }
 
   /// The first triangle with its three ghosts. The triangulation must be empty.

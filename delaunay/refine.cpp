@@ -44,12 +44,11 @@ void check_range(const Pslg& pslg) {
         "scale them: refinement works between 1e-70 and 1e70");
 }
 
-void refuse(const Pslg& pslg, IncrementalResult::Outcome outcome) {
-  using Outcome = IncrementalResult::Outcome;
-  if (outcome == Outcome::too_few_points)
+void refuse(const Pslg& pslg, TriangulateOutcome outcome) {
+  if (outcome == TriangulateOutcome::too_few_points)
     throw InputError(pslg.source, "fewer than three distinct points",
                      "give an outline that encloses an area");
-  if (outcome == Outcome::all_collinear)
+  if (outcome == TriangulateOutcome::all_collinear)
     throw InputError(pslg.source, "all points lie on one line", "give an outline that encloses an area");
 }
 
@@ -57,13 +56,14 @@ void refuse(const Pslg& pslg, IncrementalResult::Outcome outcome) {
 
 RefinedMesh mesh_pslg(const Pslg& pslg, const RefineOptions& options) {
   check(options);
-  Domain domain = make_domain(pslg, options.keep_convex_hull, options.progress);
+  Domain domain =
+      make_domain(pslg, options.keep_convex_hull, Algorithm::fast, {.progress = options.progress});
   refuse(pslg, domain.outcome);
   check_range(pslg);
   RefinedMesh result;
   result.report.repairs = std::move(domain.repairs);
   result.vertex_of_input.resize(pslg.points.size());
-  if (domain.outcome == IncrementalResult::Outcome::stopped) {
+  if (domain.outcome == TriangulateOutcome::stopped) {
     result.report.outcome = RefineOutcome::stopped;
     return result;
   }

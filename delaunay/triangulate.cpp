@@ -8,28 +8,12 @@
 #include "leonhard/mesh/validate.hpp"
 
 namespace leonhard::delaunay {
-namespace {
-
-TriangulateOutcome outcome_of(IncrementalResult::Outcome outcome) {
-  switch (outcome) {
-    case IncrementalResult::Outcome::done:
-      return TriangulateOutcome::done;
-    case IncrementalResult::Outcome::too_few_points:
-      return TriangulateOutcome::too_few_points;
-    case IncrementalResult::Outcome::all_collinear:
-      return TriangulateOutcome::all_collinear;
-    case IncrementalResult::Outcome::stopped:
-      break;
-  }
-  return TriangulateOutcome::stopped;
-}
-
-}  // namespace
 
 Triangulation triangulate(const Pslg& pslg, const TriangulateOptions& options) {
-  Domain domain = make_domain(pslg, options.keep_convex_hull, options.progress);
+  Domain domain = make_domain(pslg, options.keep_convex_hull, options.algorithm,
+                              {options.seed, options.threads, options.progress});
   Triangulation result;
-  result.outcome = outcome_of(domain.outcome);
+  result.outcome = domain.outcome;
   result.vertex_of_input.resize(pslg.points.size());
   result.repairs = std::move(domain.repairs);
   if (result.outcome != TriangulateOutcome::done) return result;

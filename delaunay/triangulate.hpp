@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/kernel/progress.hpp"
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/pslg.hpp"
@@ -12,18 +14,14 @@
 
 namespace leonhard::delaunay {
 
-enum class TriangulateOutcome {
-  done,
-  too_few_points,  ///< fewer than three distinct points: the mesh is empty
-  all_collinear,   ///< three or more distinct points, all on one line: the mesh is empty
-  stopped,         ///< a stop was requested: the mesh is empty
-};
-
 struct TriangulateOptions {
   /// Keep the whole convex hull. Otherwise, where there are segments, all that can be reached from outside
   /// without crossing a segment is carved away. Holes are carved in both cases.
   bool keep_convex_hull = false;
   Progress progress;
+  Algorithm algorithm = Algorithm::fast;  ///< the mesh does not depend on it
+  unsigned threads = 1;                   ///< 0: as many as there are cores; the mesh does not depend on it
+  std::uint64_t seed = 1;                 ///< of randomised algorithms; the mesh does not depend on it
 };
 
 struct [[nodiscard]] Triangulation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/delaunay/incremental.hpp"
+#include "leonhard/delaunay/watson.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 
 #include "leonhard/delaunay/cavity.hpp"
 #include "leonhard/delaunay/locate.hpp"
-#include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/predicates.hpp"
 
 namespace leonhard::delaunay {
@@ -78,25 +77,9 @@ class Conflict {
 
 }  // namespace
 
-SortedPoints sort_and_merge(std::span<const Point2> points) {
-  const std::vector<std::uint32_t> order = kernel::hilbert_order(points);
-  SortedPoints sorted;
-  sorted.points.reserve(points.size());
-  sorted.first_input.reserve(points.size());
-  sorted.sorted_index.resize(points.size());
-  for (const std::uint32_t i : order) {
-    if (sorted.points.empty() || sorted.points.back() != points[i]) {
-      sorted.points.push_back(points[i]);
-      sorted.first_input.push_back(i);
-    }
-    sorted.sorted_index[i] = static_cast<std::uint32_t>(sorted.points.size() - 1);
-  }
-  return sorted;
-}
-
-IncrementalResult triangulate_incrementally(std::span<const Point2> points, const Progress& progress) {
-  using Outcome = IncrementalResult::Outcome;
-  IncrementalResult result;
+PointTriangulation triangulate_watson(std::span<const Point2> points, const AlgorithmOptions& options) {
+  using Outcome = TriangulateOutcome;
+  PointTriangulation result;
   if (points.size() < 3) return {Outcome::too_few_points, {}};
   std::vector<std::uint32_t> order = rounds(points.size());
   if (!span_triangle(points, order)) return {Outcome::all_collinear, {}};
@@ -110,8 +93,8 @@ IncrementalResult triangulate_incrementally(std::span<const Point2> points, cons
   constexpr std::size_t poll = 4096;
   for (std::size_t k = 3; k < order.size(); ++k) {
     if (k % poll == 0) {
-      if (progress.stop_requested()) return {Outcome::stopped, {}};
-      progress("triangulate", static_cast<double>(k) / static_cast<double>(order.size()));
+      if (options.progress.stop_requested()) return {Outcome::stopped, {}};
+      options.progress("triangulate", static_cast<double>(k) / static_cast<double>(order.size()));
     }
     const Point2 p = points[order[k]];
     cavity.start(in, walk(in, points, last, p, coin));

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/delaunay/algorithm.hpp"
+
+#include "leonhard/delaunay/watson.hpp"
+
+namespace leonhard::delaunay {
+
+std::optional<Algorithm> algorithm_named(std::string_view name) {
+  for (const NamedAlgorithm& known : named_algorithms)
+    if (known.name == name) return known.algorithm;
+  return std::nullopt;
+}
+
+PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorithm algorithm,
+                                        const AlgorithmOptions& options) {
+  switch (algorithm) {
+    case Algorithm::fast:
+    case Algorithm::watson:
+      return triangulate_watson(points, options);
+  }
+  return {};
+}
+
+}  // namespace leonhard::delaunay

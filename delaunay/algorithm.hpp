@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "leonhard/delaunay/ghost_triangulation.hpp"
+#include "leonhard/kernel/point.hpp"
+#include "leonhard/kernel/progress.hpp"
+
+namespace leonhard::delaunay {
+
+enum class TriangulateOutcome {
+  done,
+  too_few_points,  ///< fewer than three distinct points: the mesh is empty
+  all_collinear,   ///< three or more distinct points, all on one line: the mesh is empty
+  stopped,         ///< a stop was requested: the mesh is empty
+};
+
+/// The ways to the one Delaunay triangulation of a point set. All give the same triangles: ties are broken by
+/// kernel::incircle_perturbed.
+enum class Algorithm {
+  fast,    ///< the default
+  watson,  ///< incremental: cavities of circumcircles (Barth's notes 3.3b)
+};
+
+/// Every algorithm with the word for it, as the program's --algorithm takes it.
+struct NamedAlgorithm {
+  std::string_view name;
+  Algorithm algorithm;
+};
+inline constexpr std::array named_algorithms{
+    NamedAlgorithm{"fast", Algorithm::fast},
+    NamedAlgorithm{"watson", Algorithm::watson},
+};
+[[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
+
+struct AlgorithmOptions {
+  std::uint64_t seed =
+      1;  ///< of the algorithms that draw an order at random; the triangles do not depend on it
+  unsigned threads = 1;  ///< 0: as many as there are cores; only some algorithms use more than one
+  Progress progress;
+};
+
+/// Triangles of a point set as a triangulation of the sphere; corner ids are indices of the points. Empty unless done.
+struct [[nodiscard]] PointTriangulation {
+  TriangulateOutcome outcome = TriangulateOutcome::done;
+  GhostTriangulation triangulation;
+};
+
+/// The Delaunay triangulation of distinct, finite points by the algorithm named.
+///
+/// points  best in an order along a space-filling curve (sort_and_merge), which some algorithms rely on for speed
+PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorithm algorithm,
+                                        const AlgorithmOptions& options);
+
+}  // namespace leonhard::delaunay
