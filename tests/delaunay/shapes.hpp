@@ -62,6 +62,82 @@ inline std::vector<Point2> transformed(std::vector<Point2> points, double scale,
   return points;
 }
 
+/// Gaussian clusters of very different widths.
+inline std::vector<Point2> gaussian_clusters(std::size_t n, std::uint64_t seed = 1) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const std::vector<Point2> centres = uniform(7, seed);
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double width = std::pow(0.1, static_cast<double>(i % 7)), x = normal(random);
+    points.push_back(centres[i % 7] + width * Vec2{x, normal(random)});
+  }
+  return points;
+}
+
+/// Points of a circle rounded to doubles: nearly all just off it.
+inline std::vector<Point2> circle(std::size_t n) {
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle_rad = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+    points.push_back({std::cos(angle_rad), std::sin(angle_rad)});
+  }
+  return points;
+}
+
+/// The integer points with x^2 + y^2 = radius^2; many if radius is a product of primes of the form 4 k + 1.
+inline std::vector<Point2> lattice_circle(int radius) {
+  std::vector<Point2> points;
+  for (double x = -radius; x <= radius; ++x) {
+    const double y2 = static_cast<double>(radius) * radius - x * x, y = std::round(std::sqrt(y2));
+    if (y * y != y2) continue;
+    points.push_back({x, y});
+    if (y > 0) points.push_back({x, -y});
+  }
+  return points;
+}
+
+/// An Archimedean spiral of `turns` turns.
+inline std::vector<Point2> spiral(std::size_t n, double turns = 12) {
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double radius = static_cast<double>(i + 1) / static_cast<double>(n),
+                 angle_rad = 2 * std::numbers::pi * turns * radius;
+    points.push_back({radius * std::cos(angle_rad), radius * std::sin(angle_rad)});
+  }
+  return points;
+}
+
+/// Points of y = x^2, -1 <= x <= 1, rounded to doubles.
+inline std::vector<Point2> parabola(std::size_t n) {
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = 2 * static_cast<double>(i) / static_cast<double>(n - 1) - 1;
+    points.push_back({x, x * x});
+  }
+  return points;
+}
+
+/// Two parallel lines of evenly spaced points, `gap` spacings apart.
+inline std::vector<Point2> line_pair(std::size_t n, double gap = 8) {
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < n; ++i) points.push_back({static_cast<double>(i / 2), i % 2 == 0 ? 0 : gap});
+  return points;
+}
+
+/// A few thousand points of every distribution on which algorithms are compared.
+inline std::vector<NamedPoints> distributions() {
+  return {{"uniform", uniform(4000)},
+          {"Gaussian clusters", gaussian_clusters(4000)},
+          {"grid", grid(60)},
+          {"rotated grid", grid(60, 0.7)},
+          {"circle", circle(2000)},
+          {"lattice circle", lattice_circle(5 * 13 * 17 * 29 * 37)},
+          {"spiral", spiral(3000)},
+          {"parabola", parabola(2000)},
+          {"line pair", line_pair(2000)}};
+}
+
 /// Sets with every kind of degeneracy; each has at least three points that are not collinear.
 inline std::vector<NamedPoints> families() {
   std::vector<NamedPoints> all;
