@@ -11,92 +11,15 @@
 #include "leonhard/mesh/io/marker_notes.hpp"
 #include "leonhard/mesh/io/number_text.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
+#include "leonhard/mesh/io/triangle_tables.hpp"
 
 namespace leonhard::io {
 
 namespace {
 
-constexpr TextSyntax syntax{.comment = '#'};
-constexpr std::size_t shortest_entry =
-    6;  ///< bytes of "1 0 0" and a line break: a vertex, segment, hole or triangle
+constexpr TextSyntax syntax = triangle_syntax;
 
 // ---- reading ----
-
-/// The vertices of a .node file or of the first part of a .poly file.
-struct VertexTable {
-  std::vector<Point2> points;
-  std::vector<Marker> markers;  ///< one a point, or empty
-  std::int64_t first_number = 0;
-
-  /// 0-based index of the vertex that the next word of the line numbers.
-  std::size_t read_reference(TextScanner& scan, const char* expected) const {
-    const std::int64_t number = scan.integer(expected);
-    const std::int64_t index = number - first_number;
-    if (index < 0 || static_cast<std::uint64_t>(index) >= points.size())
-      scan.fail("vertex " + std::to_string(number) + " does not exist, the file has vertices " +
-                    std::to_string(first_number) + " to " +
-                    std::to_string(first_number + static_cast<std::int64_t>(points.size()) - 1),
-                "correct the number, or add the vertex");
-    return static_cast<std::size_t>(index);
-  }
-};
-
-/// Entries carry their number, counted from the first one's.
-void check_number(TextScanner& scan, const char* entry, std::int64_t expected) {
-  const std::int64_t number = scan.integer("the number of the entry");
-  if (number != expected)
-    scan.fail(std::string(entry) + " " + std::to_string(number) + " stands where " + entry + " " +
-                  std::to_string(expected) + " was expected",
-              "entries are numbered in order from 0 or 1; is a line missing or repeated?");
-}
-
-void skip_attributes(TextScanner& scan, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) scan.number("an attribute");
-}
-
-/// An optional flag at the end of a header line, 0 where it is missing.
-bool read_flag(TextScanner& scan, const char* expected) {
-  if (scan.line_done()) return false;
-  const std::int64_t flag = scan.integer(expected);
-  if (flag != 0 && flag != 1)
-    scan.fail(std::string(expected) + " is " + std::to_string(flag) + ", not 0 or 1");
-  return flag == 1;
-}
-
-VertexTable read_vertices(TextScanner& scan) {
-  scan.need_line("the number of vertices");
-  const std::size_t count = scan.count("the number of vertices", shortest_entry);
-  const std::int64_t dimension = scan.integer("the dimension (2)");
-  if (dimension != 2)
-    scan.fail("the dimension is " + std::to_string(dimension) + ": only files of the plane can be read");
-  const std::size_t attributes = scan.line_done() ? 0 : scan.count("the number of attributes", 1);
-  const bool with_markers = read_flag(scan, "the number of boundary markers");
-  scan.expect_line_end("the header of the vertices");
-
-  VertexTable table;
-  table.points.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    scan.need_line("a vertex");
-    if (i == 0) {
-      table.first_number = scan.integer("the number of the first vertex");
-      if (table.first_number != 0 && table.first_number != 1)
-        scan.fail("the first vertex has the number " + std::to_string(table.first_number) + ", not 0 or 1");
-    } else {
-      check_number(scan, "vertex", table.first_number + static_cast<std::int64_t>(i));
-    }
-    const double x = scan.number("the x coordinate of a vertex");
-    const double y = scan.number("the y coordinate of a vertex");
-    table.points.push_back({x, y});
-    skip_attributes(scan, attributes);
-    if (with_markers) table.markers.push_back(scan.integer32("the boundary marker of a vertex"));
-    scan.expect_line_end("the vertex");
-  }
-  return table;
-}
-
-void expect_end(TextScanner& scan, const char* last) {
-  if (scan.next_line()) scan.fail("found " + in_quotes(scan.rest()) + " after " + last, "correct the counts");
-}
 
 /// Segments of a .poly file or edges of an .edge file.
 std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable& vertices) {
@@ -214,37 +137,6 @@ void read_marked_edges(const TriangleFileTexts& texts, const std::string& source
 
 // ---- writing ----
 
-void append_words(std::string& text, std::initializer_list<std::int64_t> numbers) {
-  for (const std::int64_t number : numbers) {
-    append_number(text, number);
-    text += ' ';
-  }
-}
-
-void end_line(std::string& text) {
-  if (text.back() == ' ') text.pop_back();
-  text += '\n';
-}
-
-void append_point(std::string& text, Point2 p) {
-  append_number(text, p.x);
-  text += ' ';
-  append_number(text, p.y);
-  text += ' ';
-}
-
-/// points and, if there are any, one marker a point.
-void append_vertices(std::string& text, std::span<const Point2> points, std::span<const Marker> markers) {
-  append_words(text, {std::ssize(points), 2, 0, markers.empty() ? 0 : 1});
-  end_line(text);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    append_words(text, {static_cast<std::int64_t>(i)});
-    append_point(text, points[i]);
-    if (!markers.empty()) append_words(text, {markers[i]});
-    end_line(text);
-  }
-}
-
 void append_segment(std::string& text, std::size_t number, std::size_t from, std::size_t to, Marker marker) {
   append_words(text, {static_cast<std::int64_t>(number), static_cast<std::int64_t>(from),
                       static_cast<std::int64_t>(to), marker});
@@ -325,7 +217,7 @@ Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node, c
 
 std::string format_poly(const Pslg& pslg) {
   std::string text = format_marker_notes(pslg.marker_names, syntax.comment);
-  append_vertices(text, pslg.points, pslg.point_markers);
+  append_vertices(text, pslg.points, {}, pslg.point_markers);
   append_words(text, {std::ssize(pslg.segments), 1});
   end_line(text);
   for (std::size_t i = 0; i < pslg.segments.size(); ++i)
@@ -382,7 +274,7 @@ MeshFile read_triangle_files(const std::filesystem::path& path) {
 
 TriangleFileTexts format_triangle_files(const TriangleMesh& mesh) {
   TriangleFileTexts texts;
-  append_vertices(texts.node, mesh.points.flat(), mesh.vertex_markers.flat());
+  append_vertices(texts.node, mesh.points.flat(), {}, mesh.vertex_markers.flat());
   texts.ele = format_ele(mesh);
   texts.poly = format_mesh_poly(mesh);
   texts.neigh = format_neigh(mesh);

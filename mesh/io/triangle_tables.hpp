@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+
+#include "leonhard/mesh/io/text_scanner.hpp"
+#include "leonhard/mesh/point_set.hpp"
+
+/// What the files of Triangle share: numbered entries, vertices. Not meant for callers of the room.
+namespace leonhard::io {
+
+inline constexpr TextSyntax triangle_syntax{.comment = '#'};
+/// Bytes of "1 0 0" and a line break: a vertex, segment, hole or triangle.
+inline constexpr std::size_t shortest_entry = 6;
+
+/// The vertices of a .node file or of the first part of a .poly file.
+struct VertexTable : PointSet {
+  std::int64_t first_number = 0;
+
+  /// 0-based index of the vertex that the next word of the line numbers.
+  std::size_t read_reference(TextScanner& scan, const char* expected) const;
+};
+
+/// Header and vertices; the scanner stays on the last vertex's line.
+[[nodiscard]] VertexTable read_vertices(TextScanner& scan);
+
+/// Entries carry their number, counted from the first one's.
+void check_number(TextScanner& scan, const char* entry, std::int64_t expected);
+void skip_attributes(TextScanner& scan, std::size_t count);
+/// An optional flag at the end of a header line, 0 where it is missing.
+[[nodiscard]] bool read_flag(TextScanner& scan, const char* expected);
+/// throws InputError if anything follows
+void expect_end(TextScanner& scan, const char* last);
+
+/// Numbers with a blank after each; end_line makes the last one a line break.
+void append_words(std::string& text, std::initializer_list<std::int64_t> numbers);
+void append_point(std::string& text, Point2 p);
+void end_line(std::string& text);
+
+/// Header and vertices, numbered from 0.
+///
+/// attributes  as many for each point as it is long in points; or empty
+/// markers     one a point, or empty
+void append_vertices(std::string& text, std::span<const Point2> points, std::span<const double> attributes,
+                     std::span<const Marker> markers);
+
+}  // namespace leonhard::io
