@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/algorithm.hpp"
 
+#include "leonhard/delaunay/green_sibson.hpp"
 #include "leonhard/delaunay/watson.hpp"
 
 namespace leonhard::delaunay {
@@ -17,6 +18,8 @@ PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorith
     case Algorithm::fast:
     case Algorithm::watson:
       return triangulate_watson(points, options);
+    case Algorithm::green_sibson:
+      return triangulate_green_sibson(points, options);
   }
   return {};
 }

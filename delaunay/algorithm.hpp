@@ -23,8 +23,9 @@ enum class TriangulateOutcome {
 /// The ways to the one Delaunay triangulation of a point set. All give the same triangles: ties are broken by
 /// kernel::incircle_perturbed.
 enum class Algorithm {
-  fast,    ///< the default
-  watson,  ///< incremental: cavities of circumcircles (Barth's notes 3.3b)
+  fast,          ///< the default
+  watson,        ///< incremental: cavities of circumcircles (Barth's notes 3.3b)
+  green_sibson,  ///< incremental: forward swapping (Barth's notes 3.3b)
 };
 
 /// Every algorithm with the word for it, as the program's --algorithm takes it.
@@ -35,6 +36,7 @@ struct NamedAlgorithm {
 inline constexpr std::array named_algorithms{
     NamedAlgorithm{"fast", Algorithm::fast},
     NamedAlgorithm{"watson", Algorithm::watson},
+    NamedAlgorithm{"green-sibson", Algorithm::green_sibson},
 };
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
 

@@ -72,7 +72,8 @@ TEST_CASE("every_algorithm_gives_the_same_fingerprint_of_shuffled_points") {
   }
 }
 
-// delaunay::triangulate brings the points into the order of a curve; here the algorithms take them as they come.
+// delaunay::triangulate brings the points into the order of a curve; here the algorithms take them as they
+// come.
 TEST_CASE("every_algorithm_gives_the_same_triangles_of_points_in_any_order") {
   for (const shapes::NamedPoints& set : all_sets()) {
     CAPTURE(set.name);
