@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/algorithm.hpp"
 
+#include "leonhard/delaunay/fast.hpp"
 #include "leonhard/delaunay/green_sibson.hpp"
 #include "leonhard/delaunay/watson.hpp"
 
@@ -16,6 +17,7 @@ PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorith
                                         const AlgorithmOptions& options) {
   switch (algorithm) {
     case Algorithm::fast:
+      return triangulate_fast(points, options);
     case Algorithm::watson:
       return triangulate_watson(points, options);
     case Algorithm::green_sibson:

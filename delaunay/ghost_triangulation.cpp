@@ -5,16 +5,48 @@
 
 namespace leonhard::delaunay {
 
-void GhostTriangulation::start(VertexId a, VertexId b, VertexId c) {
-  assert(corners_.empty());
-  const TriangleId real = add(a, b, c);
-  const std::array<VertexId, 3> corners{a, b, c};
-  std::array<TriangleId, 3> ghosts;
-  for (unsigned i = 0; i < 3; ++i) ghosts[i] = add(ghost, corners[(i + 2) % 3], corners[(i + 1) % 3]);
+void GhostTriangulation::set_first_triangle(TriangleId t, VertexId a, VertexId b, VertexId c) {
+  const auto ghost_at = [&](unsigned i) { return TriangleId{t.raw + 1 + i}; };  // behind side i
+  set_corners(t, a, b, c);
+  set_corners(ghost_at(0), ghost, c, b);
+  set_corners(ghost_at(1), ghost, a, c);
+  set_corners(ghost_at(2), ghost, b, a);
   for (unsigned i = 0; i < 3; ++i) {
-    link(side(real, i), side(ghosts[i], 0));
+    link(side(t, i), side(ghost_at(i), 0));
     // Side 1 of (ghost, a, b) ends in the ghost, side 2 comes from it.
-    link(side(ghosts[i], 2), side(ghosts[(i + 1) % 3], 1));
+    link(side(ghost_at(i), 2), side(ghost_at((i + 1) % 3), 1));
+  }
+}
+
+void GhostTriangulation::renumber_vertices(std::span<const std::uint32_t> number_of) {
+  for (VertexId& v : corners_)
+    if (v != ghost) v = VertexId{number_of[v.index()]};
+}
+
+void GhostTriangulation::swap_triangles(TriangleId t, TriangleId u) {
+  const auto renumbered = [&](SideId s) {
+    const TriangleId at = triangle(s);
+    return side(at == t ? u : at == u ? t : at, number(s));
+  };
+  std::array<SideId, 3> behind_t, behind_u;
+  for (unsigned i = 0; i < 3; ++i) {
+    behind_t[i] = renumbered(twin(side(t, i)));
+    behind_u[i] = renumbered(twin(side(u, i)));
+    std::swap(corners_[slot(side(t, i))], corners_[slot(side(u, i))]);
+  }
+  for (unsigned i = 0; i < 3; ++i) {
+    link(side(t, i), behind_u[i]);
+    link(side(u, i), behind_t[i]);
+  }
+}
+
+std::size_t GhostTriangulation::move_ghosts_last() {
+  std::size_t begin = 0, end = triangle_count();
+  while (true) {
+    while (begin < end && !is_ghost(TriangleId::from(begin))) ++begin;
+    while (begin < end && is_ghost(TriangleId::from(end - 1))) --end;
+    if (begin == end) return begin;
+    swap_triangles(TriangleId::from(begin), TriangleId::from(end - 1));
   }
 }
 

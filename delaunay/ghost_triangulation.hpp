@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +27,10 @@ using SideId = Id<struct TriangulationSideTag>;
 class GhostTriangulation {
  public:
   static constexpr VertexId ghost{std::numeric_limits<IdRaw>::max() - 1};
+
+  GhostTriangulation() = default;
+  /// That many triangles, yet without corners: for algorithms that know each triangle's number beforehand.
+  explicit GhostTriangulation(std::size_t triangles) : corners_(3 * triangles), twins_(3 * triangles) {}
 
   [[nodiscard]] static SideId side(TriangleId t, unsigned i) { return SideId{4 * t.raw + i}; }
   [[nodiscard]] static TriangleId triangle(SideId s) { return TriangleId{s.raw >> 2}; }
@@ -66,13 +72,26 @@ class GhostTriangulation {
     at[1] = b;
     at[2] = c;
   }
+  void set_corner(TriangleId t, unsigned i, VertexId v) { corners_[3 * t.index() + i] = v; }
   void link(SideId s, SideId t) {
     twins_[slot(s)] = t;
     twins_[slot(t)] = s;
   }
 
-  /// The first triangle with its three ghosts. The triangulation must be empty.
-  void start(VertexId a, VertexId b, VertexId c);
+  /// The first triangle, counter-clockwise, with its three ghosts. The triangulation must be empty.
+  void start(VertexId a, VertexId b, VertexId c) {
+    corners_.resize(12);
+    twins_.resize(12);
+    set_first_triangle(TriangleId{0}, a, b, c);
+  }
+  /// The same in the place of t and the three triangles after it.
+  void set_first_triangle(TriangleId t, VertexId a, VertexId b, VertexId c);
+  /// Vertex v becomes number_of[v]; the ghost stays.
+  void renumber_vertices(std::span<const std::uint32_t> number_of);
+  /// Triangles change places until all ghosts come after all real ones. Cost O(triangles) to look for them, O(ghosts) to
+  /// move them.
+  /// returns  how many are real
+  std::size_t move_ghosts_last();
 
   /// Replace the diagonal s of a quadrilateral of real triangles by the other one. Afterwards s and its twin are
   /// other sides; the sides around are renumbered as told.
@@ -88,6 +107,8 @@ class GhostTriangulation {
   [[nodiscard]] std::optional<std::string> validate() const;
 
  private:
+  void swap_triangles(TriangleId t, TriangleId u);
+
   std::vector<VertexId> corners_;
   std::vector<SideId> twins_;
 };
