@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/algorithm.hpp"
 
+#include "leonhard/delaunay/divide_and_conquer.hpp"
 #include "leonhard/delaunay/fast.hpp"
 #include "leonhard/delaunay/green_sibson.hpp"
 #include "leonhard/delaunay/watson.hpp"
@@ -22,6 +23,8 @@ PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorith
       return triangulate_watson(points, options);
     case Algorithm::green_sibson:
       return triangulate_green_sibson(points, options);
+    case Algorithm::divide_and_conquer:
+      return triangulate_divide_and_conquer(points, options);
   }
   return {};
 }

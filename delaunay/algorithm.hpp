@@ -23,9 +23,10 @@ enum class TriangulateOutcome {
 /// The ways to the one Delaunay triangulation of a point set. All give the same triangles: ties are broken by
 /// kernel::incircle_perturbed.
 enum class Algorithm {
-  fast,          ///< the default
-  watson,        ///< incremental: cavities of circumcircles (Barth's notes 3.3b)
-  green_sibson,  ///< incremental: forward swapping (Barth's notes 3.3b)
+  fast,                ///< the default
+  watson,              ///< incremental: cavities of circumcircles (Barth's notes 3.3b)
+  green_sibson,        ///< incremental: forward swapping (Barth's notes 3.3b)
+  divide_and_conquer,  ///< halves merged by a rising bubble (Barth's notes 3.3a)
 };
 
 /// Every algorithm with the word for it, as the program's --algorithm takes it.
@@ -37,6 +38,7 @@ inline constexpr std::array named_algorithms{
     NamedAlgorithm{"fast", Algorithm::fast},
     NamedAlgorithm{"watson", Algorithm::watson},
     NamedAlgorithm{"green-sibson", Algorithm::green_sibson},
+    NamedAlgorithm{"divide-and-conquer", Algorithm::divide_and_conquer},
 };
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
 

@@ -48,10 +48,8 @@ void QuadEdge::swap(EdgeRef e) {
   splice(sym(e), lnext(b));
   set_origin(e, destination(a));
   set_destination(e, destination(b));
-  // The quadrilateral's sides that have come to lie on the other side of the diagonal.
-  set_left(lnext(e), left(e));
+  // The two sides of the quadrilateral that lay on the other side of the diagonal before.
   set_left(lprev(e), left(e));
-  set_left(lnext(sym(e)), right(e));
   set_left(lprev(sym(e)), right(e));
 }
 
