@@ -13,54 +13,6 @@
 namespace leonhard::delaunay {
 namespace {
 
-void check(const Pslg& pslg) {
-  const std::size_t n = pslg.points.size();
-  const auto check_point = [&](const std::string& what, std::size_t i, Point2 p) {
-    if (!is_finite(p))
-      throw InputError(pslg.source, what + " " + std::to_string(i) + " has the coordinates " + mesh::words(p),
-                       "give finite numbers (counted from 0)");
-  };
-  if (n > std::numeric_limits<std::uint32_t>::max() / 8)
-    throw InputError(pslg.source, std::to_string(n) + " points are too many", "give at most 2^29");
-  for (std::size_t i = 0; i < n; ++i) check_point("point", i, pslg.points[i]);
-  for (std::size_t i = 0; i < pslg.holes.size(); ++i) check_point("hole", i, pslg.holes[i]);
-  for (std::size_t i = 0; i < pslg.regions.size(); ++i) check_point("region", i, pslg.regions[i].seed);
-  if (!pslg.point_markers.empty() && pslg.point_markers.size() != n)
-    throw InputError(
-        pslg.source,
-        std::to_string(pslg.point_markers.size()) + " point markers for " + std::to_string(n) + " points",
-        "give one a point or none");
-  for (std::size_t i = 0; i < pslg.segments.size(); ++i)
-    for (const std::size_t end : {pslg.segments[i].from, pslg.segments[i].to})
-      if (end >= n)
-        throw InputError(pslg.source,
-                         "segment " + std::to_string(i) + " ends in point " + std::to_string(end) +
-                             ", there are " + std::to_string(n) + " points",
-                         "correct the segment (both counted from 0)");
-}
-
-void note_duplicates(const Pslg& pslg, const SortedPoints& sorted, std::vector<std::string>& repairs) {
-  const std::size_t merged = pslg.points.size() - sorted.points.size();
-  if (merged > 0) {
-    std::size_t i = 0;
-    while (sorted.first_input[sorted.sorted_index[i]] == i) ++i;
-    repairs.push_back(
-        std::to_string(merged) + " points merged with others at the same place, the first of them point " +
-        std::to_string(i) + " with point " + std::to_string(sorted.first_input[sorted.sorted_index[i]]) +
-        " at " + mesh::words(pslg.points[i]) + " (counted from 0)");
-  }
-  std::size_t empty = 0, first = 0;
-  for (std::size_t i = pslg.segments.size(); i-- > 0;) {
-    const Pslg::Segment& s = pslg.segments[i];
-    if (sorted.sorted_index[s.from] != sorted.sorted_index[s.to]) continue;
-    ++empty;
-    first = i;
-  }
-  if (empty > 0)
-    repairs.push_back(std::to_string(empty) + " segments of no length left out, the first of them segment " +
-                      std::to_string(first) + " (counted from 0)");
-}
-
 void note_overlaps(const std::vector<OverlapNote>& overlaps, std::vector<std::string>& repairs) {
   constexpr std::size_t named = 10;
   for (std::size_t i = 0; i < std::min(named, overlaps.size()); ++i)
@@ -153,6 +105,61 @@ void copy_edges(const Domain& domain, const std::vector<MaybeId<VertexId>>& numb
 
 }  // namespace
 
+void check(const Pslg& pslg) {
+  const std::size_t n = pslg.points.size();
+  const auto check_point = [&](const std::string& what, std::size_t i, Point2 p) {
+    if (!is_finite(p))
+      throw InputError(pslg.source, what + " " + std::to_string(i) + " has the coordinates " + mesh::words(p),
+                       "give finite numbers (counted from 0)");
+  };
+  if (n > std::numeric_limits<std::uint32_t>::max() / 8)
+    throw InputError(pslg.source, std::to_string(n) + " points are too many", "give at most 2^29");
+  for (std::size_t i = 0; i < n; ++i) check_point("point", i, pslg.points[i]);
+  for (std::size_t i = 0; i < pslg.holes.size(); ++i) check_point("hole", i, pslg.holes[i]);
+  for (std::size_t i = 0; i < pslg.regions.size(); ++i) check_point("region", i, pslg.regions[i].seed);
+  if (!pslg.point_markers.empty() && pslg.point_markers.size() != n)
+    throw InputError(
+        pslg.source,
+        std::to_string(pslg.point_markers.size()) + " point markers for " + std::to_string(n) + " points",
+        "give one a point or none");
+  for (std::size_t i = 0; i < pslg.segments.size(); ++i)
+    for (const std::size_t end : {pslg.segments[i].from, pslg.segments[i].to})
+      if (end >= n)
+        throw InputError(pslg.source,
+                         "segment " + std::to_string(i) + " ends in point " + std::to_string(end) +
+                             ", there are " + std::to_string(n) + " points",
+                         "correct the segment (both counted from 0)");
+}
+
+void note_duplicates(const Pslg& pslg, const SortedPoints& sorted, std::vector<std::string>& repairs) {
+  const std::size_t merged = pslg.points.size() - sorted.points.size();
+  if (merged > 0) {
+    std::size_t i = 0;
+    while (sorted.first_input[sorted.sorted_index[i]] == i) ++i;
+    repairs.push_back(
+        std::to_string(merged) + " points merged with others at the same place, the first of them point " +
+        std::to_string(i) + " with point " + std::to_string(sorted.first_input[sorted.sorted_index[i]]) +
+        " at " + mesh::words(pslg.points[i]) + " (counted from 0)");
+  }
+  std::size_t empty = 0, first = 0;
+  for (std::size_t i = pslg.segments.size(); i-- > 0;) {
+    const Pslg::Segment& s = pslg.segments[i];
+    if (sorted.sorted_index[s.from] != sorted.sorted_index[s.to]) continue;
+    ++empty;
+    first = i;
+  }
+  if (empty > 0)
+    repairs.push_back(std::to_string(empty) + " segments of no length left out, the first of them segment " +
+                      std::to_string(first) + " (counted from 0)");
+}
+
+void set_point_markers(const Pslg& pslg, const std::vector<MaybeId<VertexId>>& vertex_of_input,
+                       TriangleMesh& mesh) {
+  for (std::size_t i = pslg.point_markers.size(); i-- > 0;)
+    if (vertex_of_input[i] && pslg.point_markers[i] != 0)
+      mesh.vertex_markers[*vertex_of_input[i]] = pslg.point_markers[i];
+}
+
 Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Algorithm algorithm,
                    const AlgorithmOptions& options) {
   // 1. check
@@ -199,9 +206,7 @@ TriangleMesh to_mesh(const Domain& domain, const Pslg& pslg,
     if (number[v]) mesh.points[*number[v]] = cells.points()[v];
   copy_triangles(cells, pslg, number, mesh);
   copy_edges(domain, number, mesh);
-  for (std::size_t i = pslg.point_markers.size(); i-- > 0;)
-    if (vertex_of_input[i] && pslg.point_markers[i] != 0)
-      mesh.vertex_markers[*vertex_of_input[i]] = pslg.point_markers[i];
+  set_point_markers(pslg, vertex_of_input, mesh);
   mesh.marker_names = pslg.marker_names;
   return mesh;
 }

@@ -21,6 +21,16 @@ struct Domain {
   std::vector<std::string> repairs;
 };
 
+/// throws  InputError: the first of the faults that triangulate lists which can be seen without triangulating
+void check(const Pslg& pslg);
+
+/// Say in words how many points were merged and how many segments had no length.
+void note_duplicates(const Pslg& pslg, const SortedPoints& sorted, std::vector<std::string>& repairs);
+
+/// The mesh's vertices take the markers of their points; of several at one place the first that is not 0.
+void set_point_markers(const Pslg& pslg, const std::vector<MaybeId<VertexId>>& vertex_of_input,
+                       TriangleMesh& mesh);
+
 /// Steps 1 to 4 of triangulate and mesh_pslg: check, sort and merge, triangulate, constrain and carve.
 ///
 /// keep_convex_hull  as in TriangulateOptions; a graph without segments keeps it too

@@ -19,8 +19,9 @@ void GhostTriangulation::set_first_triangle(TriangleId t, VertexId a, VertexId b
 }
 
 void GhostTriangulation::renumber_vertices(std::span<const std::uint32_t> number_of) {
-  for (VertexId& v : corners_)
-    if (v != ghost) v = VertexId{number_of[v.index()]};
+  for (std::array<VertexId, 3>& corners : corners_)
+    for (VertexId& v : corners)
+      if (v != ghost) v = VertexId{number_of[v.index()]};
 }
 
 void GhostTriangulation::swap_triangles(TriangleId t, TriangleId u) {
@@ -32,8 +33,8 @@ void GhostTriangulation::swap_triangles(TriangleId t, TriangleId u) {
   for (unsigned i = 0; i < 3; ++i) {
     behind_t[i] = renumbered(twin(side(t, i)));
     behind_u[i] = renumbered(twin(side(u, i)));
-    std::swap(corners_[slot(side(t, i))], corners_[slot(side(u, i))]);
   }
+  std::swap(corners_[t.index()], corners_[u.index()]);
   for (unsigned i = 0; i < 3; ++i) {
     link(side(t, i), behind_u[i]);
     link(side(u, i), behind_t[i]);
@@ -62,8 +63,8 @@ GhostTriangulation::Flipped GhostTriangulation::flip(SideId s) {
 
   // (left, from, to) becomes (left, from, right), (right, to, from) becomes (right, to, left): each keeps two
   // corners, and with them the outer side between these.
-  corners_[slot(s_previous)] = right;
-  corners_[slot(t_previous)] = left;
+  set_corner(triangle(s_previous), number(s_previous), right);
+  set_corner(triangle(t_previous), number(t_previous), left);
   link(s, beyond_t_next);
   link(t, beyond_s_next);
   link(s_next, t_next);
@@ -71,9 +72,9 @@ GhostTriangulation::Flipped GhostTriangulation::flip(SideId s) {
 }
 
 std::optional<std::string> GhostTriangulation::validate() const {
-  for (std::size_t k = 0; k < corners_.size(); ++k) {
+  for (std::size_t k = 0; k < twins_.size(); ++k) {
     const SideId s = side(TriangleId::from(k / 3), static_cast<unsigned>(k % 3));
-    if (number(twin(s)) > 2 || slot(twin(s)) >= corners_.size() || twin(twin(s)) != s)
+    if (number(twin(s)) > 2 || slot(twin(s)) >= twins_.size() || twin(twin(s)) != s)
       return name(s) + " has a twin that does not point back";
     if (origin(s) != destination(twin(s)) || destination(s) != origin(twin(s)))
       return name(s) + " and its twin do not share their ends";

@@ -30,7 +30,7 @@ class GhostTriangulation {
 
   GhostTriangulation() = default;
   /// That many triangles, yet without corners: for algorithms that know each triangle's number beforehand.
-  explicit GhostTriangulation(std::size_t triangles) : corners_(3 * triangles), twins_(3 * triangles) {}
+  explicit GhostTriangulation(std::size_t triangles) : corners_(triangles), twins_(3 * triangles) {}
 
   [[nodiscard]] static SideId side(TriangleId t, unsigned i) { return SideId{4 * t.raw + i}; }
   [[nodiscard]] static TriangleId triangle(SideId s) { return TriangleId{s.raw >> 2}; }
@@ -43,36 +43,31 @@ class GhostTriangulation {
   /// "side 1 of triangle 7", for messages.
   [[nodiscard]] static std::string name(SideId s);
 
-  [[nodiscard]] std::size_t triangle_count() const { return corners_.size() / 3; }
-  [[nodiscard]] VertexId corner(TriangleId t, unsigned i) const { return corners_[3 * t.index() + i]; }
+  [[nodiscard]] std::size_t triangle_count() const { return corners_.size(); }
+  [[nodiscard]] VertexId corner(TriangleId t, unsigned i) const { return corners_[t.index()][i]; }
   /// The corner that the side lies opposite to.
-  [[nodiscard]] VertexId apex(SideId s) const { return corners_[slot(s)]; }
+  [[nodiscard]] VertexId apex(SideId s) const { return corners_[triangle(s).index()][number(s)]; }
   /// A side runs from its origin to its destination, its triangle on the left.
-  [[nodiscard]] VertexId origin(SideId s) const { return corners_[slot(next(s))]; }
-  [[nodiscard]] VertexId destination(SideId s) const { return corners_[slot(previous(s))]; }
+  [[nodiscard]] VertexId origin(SideId s) const { return apex(next(s)); }
+  [[nodiscard]] VertexId destination(SideId s) const { return apex(previous(s)); }
   /// The same edge seen from the other triangle, running the other way.
   [[nodiscard]] SideId twin(SideId s) const { return twins_[slot(s)]; }
-  [[nodiscard]] bool is_ghost(TriangleId t) const { return corners_[3 * t.index()] == ghost; }
+  [[nodiscard]] bool is_ghost(TriangleId t) const { return corners_[t.index()][0] == ghost; }
   /// The next side counter-clockwise about the common origin.
   [[nodiscard]] SideId turn_about_origin(SideId s) const { return twin(previous(s)); }
 
   void reserve(std::size_t triangles) {
-    corners_.reserve(3 * triangles);
+    corners_.reserve(triangles);
     twins_.reserve(3 * triangles);
   }
   /// A new triangle, counter-clockwise, not yet linked. The ghost, if any, must come first.
   TriangleId add(VertexId a, VertexId b, VertexId c) {
-    corners_.insert(corners_.end(), {a, b, c});
-    twins_.resize(corners_.size());
+    corners_.push_back({a, b, c});
+    twins_.resize(3 * corners_.size());
     return TriangleId::from(triangle_count() - 1);
   }
-  void set_corners(TriangleId t, VertexId a, VertexId b, VertexId c) {
-    VertexId* const at = corners_.data() + 3 * t.index();
-    at[0] = a;
-    at[1] = b;
-    at[2] = c;
-  }
-  void set_corner(TriangleId t, unsigned i, VertexId v) { corners_[3 * t.index() + i] = v; }
+  void set_corners(TriangleId t, VertexId a, VertexId b, VertexId c) { corners_[t.index()] = {a, b, c}; }
+  void set_corner(TriangleId t, unsigned i, VertexId v) { corners_[t.index()][i] = v; }
   void link(SideId s, SideId t) {
     twins_[slot(s)] = t;
     twins_[slot(t)] = s;
@@ -80,7 +75,7 @@ class GhostTriangulation {
 
   /// The first triangle, counter-clockwise, with its three ghosts. The triangulation must be empty.
   void start(VertexId a, VertexId b, VertexId c) {
-    corners_.resize(12);
+    corners_.resize(4);
     twins_.resize(12);
     set_first_triangle(TriangleId{0}, a, b, c);
   }
@@ -102,6 +97,12 @@ class GhostTriangulation {
   };
   Flipped flip(SideId s);
 
+  /// The corners of all triangles; nothing of the triangulation stays.
+  [[nodiscard]] std::vector<std::array<VertexId, 3>> take_corners() && {
+    twins_ = {};
+    return std::move(corners_);
+  }
+
   /// The first broken invariant in words: twins that do not point back or do not share their ends, a repeated
   /// corner, a ghost elsewhere than at corner 0. Cost O(triangles).
   [[nodiscard]] std::optional<std::string> validate() const;
@@ -109,7 +110,7 @@ class GhostTriangulation {
  private:
   void swap_triangles(TriangleId t, TriangleId u);
 
-  std::vector<VertexId> corners_;
+  std::vector<std::array<VertexId, 3>> corners_;
   std::vector<SideId> twins_;
 };
 

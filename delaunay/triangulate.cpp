@@ -5,21 +5,75 @@
 #include <utility>
 
 #include "leonhard/delaunay/domain.hpp"
+#include "leonhard/delaunay/fast.hpp"
+#include "leonhard/delaunay/point_mesh.hpp"
 #include "leonhard/mesh/validate.hpp"
 
 namespace leonhard::delaunay {
+namespace {
 
-Triangulation triangulate(const Pslg& pslg, const TriangulateOptions& options) {
-  Domain domain = make_domain(pslg, options.keep_convex_hull, options.algorithm,
-                              {options.seed, options.threads, options.progress});
+AlgorithmOptions algorithm_options(const TriangulateOptions& options) {
+  return {options.seed, options.threads, options.progress};
+}
+
+struct SortedTriangulation {
+  SortedPoints sorted;
+  PointTriangulation cells;
+};
+
+SortedTriangulation sort_and_triangulate(std::span<const Point2> points, const TriangulateOptions& options) {
+  SortedTriangulation result;
+  if (options.algorithm == Algorithm::fast) {
+    std::optional<CutOrder> order = sort_by_cuts(points, options.threads, options.progress);
+    if (!order) return {{}, {TriangulateOutcome::stopped, {}}};
+    result.cells = triangulate_fast(*order, algorithm_options(options));
+    result.sorted = std::move(order->sorted);
+  } else {
+    result.sorted = sort_and_merge(points);
+    result.cells = triangulate_distinct(result.sorted.points, options.algorithm, algorithm_options(options));
+  }
+  return result;
+}
+
+/// A graph of points alone, which become the mesh's.
+Triangulation triangulate_points(Pslg pslg, const TriangulateOptions& options) {
+  check(pslg);
+  Triangulation result;
+  SortedTriangulation made = sort_and_triangulate(pslg.points, options);
+  result.outcome = made.cells.outcome;
+  if (result.outcome != TriangulateOutcome::stopped) note_duplicates(pslg, made.sorted, result.repairs);
+  if (result.outcome != TriangulateOutcome::done) {
+    result.vertex_of_input.resize(pslg.points.size());
+    return result;
+  }
+  made.sorted.points = {};
+  PointMesh mesh = to_mesh(std::move(made.cells.triangulation), std::move(made.sorted),
+                           std::move(pslg.points), options.threads);
+  result.mesh = std::move(mesh.mesh);
+  result.vertex_of_input = std::move(mesh.vertex_of_input);
+  set_point_markers(pslg, result.vertex_of_input, result.mesh);
+  result.mesh.marker_names = std::move(pslg.marker_names);
+  return result;
+}
+
+Triangulation triangulate_graph(const Pslg& pslg, const TriangulateOptions& options) {
+  Domain domain = make_domain(pslg, options.keep_convex_hull, options.algorithm, algorithm_options(options));
   Triangulation result;
   result.outcome = domain.outcome;
   result.vertex_of_input.resize(pslg.points.size());
   result.repairs = std::move(domain.repairs);
-  if (result.outcome != TriangulateOutcome::done) return result;
-  result.mesh = to_mesh(domain, pslg, result.vertex_of_input);
+  if (result.outcome == TriangulateOutcome::done) result.mesh = to_mesh(domain, pslg, result.vertex_of_input);
+  return result;
+}
+
+}  // namespace
+
+Triangulation triangulate(Pslg pslg, const TriangulateOptions& options) {
+  const bool points_alone = pslg.segments.empty() && pslg.holes.empty() && pslg.regions.empty();
+  Triangulation result =
+      points_alone ? triangulate_points(std::move(pslg), options) : triangulate_graph(pslg, options);
   assert(!mesh::validate(result.mesh) && !mesh::validate_delaunay(result.mesh));
-  options.progress("triangulate", 1);
+  if (result.outcome == TriangulateOutcome::done) options.progress("triangulate", 1);
   return result;
 }
 
@@ -27,7 +81,7 @@ Triangulation triangulate(std::vector<Point2> points, const TriangulateOptions& 
   Pslg pslg;
   pslg.points = std::move(points);
   pslg.source = "points";
-  return triangulate(pslg, options);
+  return triangulate(std::move(pslg), options);
 }
 
 }  // namespace leonhard::delaunay

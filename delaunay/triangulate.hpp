@@ -50,7 +50,7 @@ struct [[nodiscard]] Triangulation {
 ///         other than at a shared point; a seed exactly on a segment; segments that enclose nothing although
 ///         concavities are to be carved.
 /// Cost O(n log n) expected for points in any order, plus the edges that each segment crosses.
-Triangulation triangulate(const Pslg& pslg, const TriangulateOptions& options = {});
+Triangulation triangulate(Pslg pslg, const TriangulateOptions& options = {});
 
 /// The Delaunay triangulation of points alone.
 Triangulation triangulate(std::vector<Point2> points, const TriangulateOptions& options = {});
