@@ -70,15 +70,13 @@ void install(int signal, void (*handler)(int), int flags) {
 }  // namespace
 
 StopOnSignal::StopOnSignal() {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) return;
-  signal_pipe = ends[1];
-  watcher_ = std::jthread([this, read_end = ends[0]] {
+  if (pipe(pipe_.data()) != 0) return;
+  signal_pipe = pipe_[1];
+  watcher_ = std::jthread([this] {
     char byte = 0;
-    while (read(read_end, &byte, 1) < 0 && errno == EINTR) {
+    while (read(pipe_[0], &byte, 1) < 0 && errno == EINTR) {
     }
     if (byte == 's') source_.request_stop();
-    close(read_end);
   });
   // SA_RESETHAND: a second Ctrl-C meets the default action and ends the process at once.
   for (const int signal : {SIGINT, SIGTERM})
@@ -91,7 +89,8 @@ StopOnSignal::~StopOnSignal() {
     const char byte = 'q';
     [[maybe_unused]] const auto written = write(fd, &byte, 1);
     if (watcher_.joinable()) watcher_.join();
-    close(fd);
+    for (const int end : pipe_)
+      close(end);  // not before: a write to a pipe without a reader ends the process
   }
 }
 

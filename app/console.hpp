@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdio>
 #include <stop_token>
 #include <string>
@@ -49,6 +50,7 @@ class StopOnSignal {
 
  private:
   std::stop_source source_;
+  std::array<int, 2> pipe_{};  ///< from the handlers to the watcher
   std::jthread watcher_;
 };
 

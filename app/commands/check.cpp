@@ -5,7 +5,10 @@
 #include <memory>
 
 #include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/console.hpp"
+#include "leonhard/app/points/read_any_points.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
+#include "leonhard/app/report/points_report.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 
@@ -14,30 +17,52 @@ namespace {
 
 struct CheckOptions {
   CommonOptions common;
-  std::string mesh;
+  std::string file;
 };
 
-ExitCode check(const CheckOptions& options) {
-  const MeshFile file = io::read_mesh(options.mesh);
-  Json report = mesh_report(file.mesh);
-  report["warnings"] = file.warnings;
+/// Report and text: to the files and streams that were asked for.
+void show(const CheckOptions& options, Json report, const std::vector<std::string>& warnings,
+          const std::string& text) {
+  report["warnings"] = warnings;
   if (!options.common.output.empty()) io::write_file_atomically(options.common.output, report.dump(2) + "\n");
   if (options.common.json) {
     fmt::print("{}\n", report.dump(2));
   } else {
-    fmt::print("{}", mesh_report_text(report));
-    for (const std::string& warning : file.warnings) fmt::print("{:<14}{}\n", "warning", warning);
+    fmt::print("{}", text);
+    for (const std::string& warning : warnings) fmt::print("{:<14}{}\n", "warning", warning);
   }
+}
+
+ExitCode check_mesh(const CheckOptions& options) {
+  const MeshFile file = io::read_mesh(options.file);
+  const Json report = mesh_report(file.mesh);
+  show(options, report, file.warnings, mesh_report_text(report));
   return is_sound(report) ? ExitCode::done : ExitCode::goal_not_met;
+}
+
+ExitCode check_points(const CheckOptions& options) {
+  const StopOnSignal signals;
+  const PointsFile file = read_any_points(options.file);
+  delaunay::AlgorithmOptions work{
+      .seed = options.common.seed, .threads = static_cast<unsigned>(options.common.threads), .progress = {}};
+  work.progress.stop = signals.token();
+  const Json report = points_report(file.set.points, work);
+  show(options, report, file.warnings, points_report_text(report));
+  return report["outcome"] == "stopped" ? ExitCode::stopped : ExitCode::done;
+}
+
+ExitCode check(const CheckOptions& options) {
+  return is_points_file(options.file) ? check_points(options) : check_mesh(options);
 }
 
 }  // namespace
 
 void add_check(CLI::App& program, ExitCode& code) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = program.add_subcommand(
-      "check", "Euler's account, validity, Delaunay property, quality and fingerprint of a mesh");
-  command->add_option("mesh", options->mesh, "A mesh file")->required();
+  CLI::App* command = program.add_subcommand("check",
+                                             "Euler's account, validity, Delaunay property, quality and "
+                                             "fingerprint of a mesh, or an account of points");
+  command->add_option("file", options->file, "A mesh file, or points")->required();
   add_common_flags(*command, options->common, "Also write the report as JSON to this file");
   command->callback([options, &code] { code = check(*options); });
 }

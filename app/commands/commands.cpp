@@ -19,6 +19,7 @@ void add_common_flags(CLI::App& command, CommonOptions& options, const std::stri
 void add_commands(CLI::App& program, ExitCode& code) {
   add_solve(program, code);
   add_mesh(program, code);
+  add_triangulate(program, code);
   add_check(program, code);
   add_draw(program, code);
   add_convert(program, code);

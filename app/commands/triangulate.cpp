@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/delaunay/triangulate.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/console.hpp"
+#include "leonhard/app/points/read_any_points.hpp"
+#include "leonhard/app/report/lap_timer.hpp"
+#include "leonhard/app/report/mesh_report.hpp"
+#include "leonhard/app/report/points_report.hpp"
+#include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/pslg_file.hpp"
+
+namespace leonhard::app {
+namespace {
+
+struct TriangulateCommand {
+  CommonOptions common;
+  std::string input, algorithm = "fast";
+  bool convex_hull = false;
+};
+
+struct Input {
+  Pslg pslg;
+  std::vector<std::string> warnings;
+};
+
+Input read_input(const std::filesystem::path& path) {
+  std::vector<std::string> known = any_point_extensions();
+  known.push_back(".poly");
+  if (io::known_extension(path, known, "points or geometry") == ".poly") return {io::read_pslg(path), {}};
+  PointsFile file = read_any_points(path);
+  if (file.set.attributes_each > 0)
+    file.warnings.push_back(path.string() + ": the attributes of its points are not carried to the mesh");
+  Input input{.pslg = {}, .warnings = std::move(file.warnings)};
+  input.pslg.points = std::move(file.set.points);
+  input.pslg.point_markers = std::move(file.set.markers);
+  input.pslg.source = path.string();
+  return input;
+}
+
+delaunay::TriangulateOptions options_of(const TriangulateCommand& command, Console& console,
+                                        const StopOnSignal& signals) {
+  delaunay::TriangulateOptions options;
+  options.keep_convex_hull = command.convex_hull;
+  options.algorithm = delaunay::algorithm_named(command.algorithm).value_or(delaunay::Algorithm::fast);
+  options.threads = static_cast<unsigned>(command.common.threads);
+  options.seed = command.common.seed;
+  options.progress.stop = signals.token();
+  options.progress.report = [&console](std::string_view stage, double fraction) {
+    console.transient(fmt::format("{:<11}{:3.0f} %", stage, 100 * fraction));
+  };
+  return options;
+}
+
+void print(const Json& report, bool as_json, const std::string& words) {
+  if (as_json) {
+    fmt::print("{}\n", report.dump(2));
+  } else if (report.contains("vertices")) {
+    fmt::print("{:<14}{}, {} duplicates merged\n{}", "points", grouped(report["points"].get<std::uint64_t>()),
+               grouped(report["duplicates"].get<std::uint64_t>()), mesh_report_text(report));
+  }
+  if (!words.empty()) fmt::print(stderr, "leonhard: {}\n", words);
+}
+
+ExitCode exit_code_of(delaunay::TriangulateOutcome outcome) {
+  switch (outcome) {
+    case delaunay::TriangulateOutcome::done:
+      return ExitCode::done;
+    case delaunay::TriangulateOutcome::stopped:
+      return ExitCode::stopped;
+    default:
+      return ExitCode::goal_not_met;
+  }
+}
+
+ExitCode triangulate(const TriangulateCommand& command) {
+  LapTimer timer;
+  Console console(command.common.quiet);
+  const StopOnSignal signals;
+  io::known_extension(command.common.output, io::mesh_extensions(), "mesh");  // before any work
+  Input input = read_input(command.input);
+  timer.lap("read");
+  auto result = delaunay::triangulate(input.pslg, options_of(command, console, signals));
+  timer.lap("triangulate");
+  if (signals.token().stop_requested()) result.outcome = delaunay::TriangulateOutcome::stopped;
+  input.warnings.insert(input.warnings.end(), result.repairs.begin(), result.repairs.end());
+  for (const std::string& warning : input.warnings) console.warning(warning);
+
+  Json report = {
+      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
+  const Json account = points_account(input.pslg.points);
+  report.update(account);
+  const std::string words = why_no_triangles(
+      result.outcome, account["points"].get<std::size_t>() - account["duplicates"].get<std::size_t>());
+  report["words"] = words.empty() ? Json(nullptr) : Json(command.input + ": " + words);
+  if (result.outcome == delaunay::TriangulateOutcome::done) {
+    report.update(mesh_report(result.mesh));
+    timer.lap("check");
+    io::write_mesh(command.common.output, result.mesh);
+    timer.lap("write");
+    report["output"] = command.common.output;
+  }
+  report["warnings"] = input.warnings;
+  report["seconds"] = timer.seconds();
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  print(report, command.common.json, words.empty() ? "" : command.input + ": " + words);
+  return exit_code_of(result.outcome);
+}
+
+std::vector<std::string> algorithm_names() {
+  std::vector<std::string> names;
+  for (const delaunay::NamedAlgorithm& known : delaunay::named_algorithms) names.emplace_back(known.name);
+  return names;
+}
+
+}  // namespace
+
+void add_triangulate(CLI::App& program, ExitCode& code) {
+  auto options = std::make_shared<TriangulateCommand>();
+  options->common.output = "mesh.su2";
+  CLI::App* command = program.add_subcommand(
+      "triangulate", "The Delaunay triangulation of points, constrained where there are segments");
+  command
+      ->add_option("points", options->input, "Points (.node .xy .csv .txt .json .geojson) or a PSLG (.poly)")
+      ->required();
+  command
+      ->add_option("--algorithm", options->algorithm,
+                   "The way to the triangulation, which is the same for all")
+      ->check(CLI::IsMember(algorithm_names()))
+      ->capture_default_str();
+  command->add_flag(
+      "--convex-hull", options->convex_hull,
+      "PSLG: keep the convex hull, carving holes only; otherwise all outside the segments goes");
+  add_common_flags(*command, options->common,
+                   "The mesh file; its extension is its format (default mesh.su2)");
+  command->callback([options, &code] { code = triangulate(*options); });
+}
+
+}  // namespace leonhard::app
