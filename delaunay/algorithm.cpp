@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/algorithm.hpp"
 
+#include "leonhard/delaunay/bowyer.hpp"
 #include "leonhard/delaunay/divide_and_conquer.hpp"
 #include "leonhard/delaunay/fast.hpp"
 #include "leonhard/delaunay/green_sibson.hpp"
@@ -21,6 +22,8 @@ PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorith
       return triangulate_fast(points, options);
     case Algorithm::watson:
       return triangulate_watson(points, options);
+    case Algorithm::bowyer:
+      return triangulate_bowyer(points, options);
     case Algorithm::green_sibson:
       return triangulate_green_sibson(points, options);
     case Algorithm::divide_and_conquer:

@@ -27,6 +27,7 @@ enum class Algorithm {
   watson,              ///< incremental: cavities of circumcircles (Barth's notes 3.3b)
   green_sibson,        ///< incremental: forward swapping (Barth's notes 3.3b)
   divide_and_conquer,  ///< halves merged by a rising bubble (Barth's notes 3.3a)
+  bowyer,              ///< incremental, on the Voronoi diagram (Barth's notes 3.3b)
 };
 
 /// Every algorithm with the word for it, as the program's --algorithm takes it.
@@ -37,6 +38,7 @@ struct NamedAlgorithm {
 inline constexpr std::array named_algorithms{
     NamedAlgorithm{"fast", Algorithm::fast},
     NamedAlgorithm{"watson", Algorithm::watson},
+    NamedAlgorithm{"bowyer", Algorithm::bowyer},
     NamedAlgorithm{"green-sibson", Algorithm::green_sibson},
     NamedAlgorithm{"divide-and-conquer", Algorithm::divide_and_conquer},
 };
