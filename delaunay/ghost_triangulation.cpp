@@ -51,6 +51,16 @@ std::size_t GhostTriangulation::move_ghosts_last() {
   }
 }
 
+void GhostTriangulation::erase(TriangleId t) {
+  const TriangleId last = TriangleId::from(triangle_count() - 1);
+  if (t != last) {
+    corners_[t.index()] = corners_.back();
+    for (unsigned i = 0; i < 3; ++i) link(side(t, i), twin(side(last, i)));
+  }
+  corners_.pop_back();
+  twins_.resize(3 * last.index());
+}
+
 std::string GhostTriangulation::name(SideId s) {
   return "side " + std::to_string(number(s)) + " of triangle " + std::to_string(triangle(s).raw);
 }

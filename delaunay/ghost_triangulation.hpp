@@ -73,6 +73,9 @@ class GhostTriangulation {
     twins_[slot(t)] = s;
   }
 
+  /// Take away a triangle to which no side is linked any more. The last triangle takes its number.
+  void erase(TriangleId t);
+
   /// The first triangle, counter-clockwise, with its three ghosts. The triangulation must be empty.
   void start(VertexId a, VertexId b, VertexId c) {
     corners_.resize(4);

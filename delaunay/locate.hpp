@@ -66,6 +66,11 @@ struct Location {
   SideId side;
 };
 
+/// Where p lies in a triangle that holds it; or outside, if the triangle is a ghost with p strictly to the left of its
+/// edge.
+[[nodiscard]] Location location_in(const GhostTriangulation& in, std::span<const Point2> points, TriangleId t,
+                                   Point2 p);
+
 /// Locate p by a walk from the real triangle `from`; the same conditions as for walk.
 [[nodiscard]] Location locate(const GhostTriangulation& in, std::span<const Point2> points, TriangleId from,
                               Point2 p, Coin& coin);
