@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/delaunay/voronoi_clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/words.hpp"
+
+namespace leonhard::delaunay {
+namespace {
+
+/// A polygon that never turns right and has one lexicographic maximum goes round once: it is convex.
+void check_window(std::span<const Point2> window) {
+  const std::size_t n = window.size();
+  if (n < 3) throw InputError("window", "a window has three corners or more", "give a convex polygon");
+  std::size_t left_turns = 0, rises = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2 a = window[i], b = window[(i + 1) % n], c = window[(i + 2) % n];
+    if (!is_finite(a)) throw InputError("window", "the corner " + mesh::words(a) + " is not finite");
+    const Sign turn = is_finite(b) && is_finite(c) ? kernel::orient2d(a, b, c) : Sign::zero;
+    if (turn == Sign::negative || a == b)
+      throw InputError("window",
+                       "the polygon is not convex and counter-clockwise at its corner " + mesh::words(b),
+                       "give the corners of a convex polygon in counter-clockwise order, each once");
+    if (turn == Sign::positive) ++left_turns;
+    if (a < b && c < b) ++rises;
+  }
+  if (left_turns < 3 || rises != 1)
+    throw InputError("window", "the polygon is not convex", "give the corners of a convex polygon");
+}
+
+Point2 scaled(Point2 p, int exponent) { return {std::scalbn(p.x, exponent), std::scalbn(p.y, exponent)}; }
+
+/// The power of two that brings every coordinate below 1 in size.
+int shrinking_exponent(const VoronoiDiagram& diagram, std::span<const Point2> window) {
+  double largest = std::numeric_limits<double>::denorm_min();
+  for (const std::span<const Point2> points : {std::span<const Point2>(diagram.sites.flat()), window})
+    for (const Point2 p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return -std::ilogb(largest) - 1;
+}
+
+/// Twice the area of a polygon.
+double twice_area(std::span<const Vec2> polygon) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    sum += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  return sum;
+}
+
+/// The part of a convex polygon that is nearer to the origin than to `neighbour`; `cut` is room to work in.
+void cut_by_bisector(std::vector<Vec2>& polygon, Vec2 neighbour, std::vector<Vec2>& cut) {
+  const int exponent = std::ilogb(std::max(std::abs(neighbour.x), std::abs(neighbour.y)));
+  const Vec2 normal{std::scalbn(neighbour.x, -exponent), std::scalbn(neighbour.y, -exponent)};
+  const Vec2 middle = 0.5 * neighbour;
+  const auto inside = [&](Vec2 p) { return dot(normal, middle - p); };
+  cut.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+    const double at_p = inside(p), at_q = inside(q);
+    if (at_p >= 0) cut.push_back(p);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) cut.push_back(p + at_p / (at_p - at_q) * (q - p));
+  }
+  std::swap(polygon, cut);
+}
+
+class Clipper {
+ public:
+  Clipper(const VoronoiDiagram& diagram, std::span<const Point2> window)
+      : diagram_(diagram), window_(window), exponent_(shrinking_exponent(diagram, window)) {
+    for (const Point2 corner : window) small_window_.push_back(scaled(corner, exponent_));
+  }
+
+  ClippedVoronoi clip() {
+    result_.first_corner.push_back(0);
+    for (const VertexId site : diagram_.sites.ids()) {
+      if (!take_whole(site)) cut_out(site);
+      if (polygon_.size() < 3) result_.corners.resize(result_.first_corner.back());
+      // Scaled back in two steps: twice the exponent may be beyond what one power of two holds.
+      const double area = polygon_.size() < 3 ? 0 : 0.5 * std::max(0.0, twice_area(polygon_));
+      result_.area.push_back(std::scalbn(std::scalbn(area, -exponent_), -exponent_));
+      result_.first_corner.push_back(result_.corners.size());
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool in_window(const VoronoiDiagram::Vertex& vertex) const {
+    if (!std::isfinite(vertex.error)) return false;
+    for (std::size_t i = 0; i < window_.size(); ++i)
+      if (kernel::orient2d(window_[i], window_[(i + 1) % window_.size()], vertex.at) == Sign::negative)
+        return false;
+    return true;
+  }
+
+  /// A cell within the window, by its vertices.
+  bool take_whole(VertexId site) {
+    if (diagram_.is_unbounded(site)) return false;
+    const std::vector<VoronoiVertexId> corners = diagram_.cell_vertices(site);
+    for (const VoronoiVertexId v : corners)
+      if (!in_window(diagram_.vertices[v])) return false;
+    const Point2 origin = scaled(diagram_.sites[site], exponent_);
+    polygon_.clear();
+    for (const VoronoiVertexId v : corners) {
+      result_.corners.push_back(diagram_.vertices[v].at);
+      polygon_.push_back(scaled(diagram_.vertices[v].at, exponent_) - origin);
+    }
+    return true;
+  }
+
+  void cut_out(VertexId site) {
+    const Point2 origin = scaled(diagram_.sites[site], exponent_);
+    polygon_.clear();
+    for (const Point2 corner : small_window_) polygon_.push_back(corner - origin);
+    for (const VoronoiEdgeId e : diagram_.cell(site)) {
+      if (polygon_.empty()) return;
+      const Vec2 neighbour = scaled(diagram_.sites[diagram_.across(e, site)], exponent_) - origin;
+      if (neighbour != Vec2{})
+        cut_by_bisector(polygon_, neighbour, room_);  // zero: lost beside the largest number
+    }
+    polygon_.erase(std::unique(polygon_.begin(), polygon_.end()), polygon_.end());
+    while (polygon_.size() > 1 && polygon_.back() == polygon_.front()) polygon_.pop_back();
+    for (const Vec2 corner : polygon_) result_.corners.push_back(scaled(origin + corner, -exponent_));
+  }
+
+  const VoronoiDiagram& diagram_;
+  std::span<const Point2> window_;
+  int exponent_;
+  std::vector<Point2> small_window_;
+  std::vector<Vec2> polygon_, room_;  ///< of the cell in hand, scaled, about its site
+  ClippedVoronoi result_;
+};
+
+}  // namespace
+
+ClippedVoronoi clip(const VoronoiDiagram& diagram, std::span<const Point2> window) {
+  check_window(window);
+  return Clipper(diagram, window).clip();
+}
+
+std::array<Point2, 4> box_window(Point2 low, Point2 high) {
+  if (!is_finite(low) || !is_finite(high) || !(low.x < high.x && low.y < high.y))
+    throw InputError("window", mesh::words(low) + " to " + mesh::words(high) + " is no box",
+                     "give the lower left corner, then the upper right one");
+  return {low, {high.x, low.y}, high, {low.x, high.y}};
+}
+
+std::array<Point2, 4> window_about(std::span<const Point2> points, double margin) {
+  if (points.empty()) return box_window({0, 0}, {1, 1});
+  Point2 low = points.front(), high = low;
+  for (const Point2 p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  double by = margin * std::max(high.x - low.x, high.y - low.y);
+  if (by == 0) by = margin;
+  constexpr double limit = std::numeric_limits<double>::max();
+  const auto beyond = [&](double value, double step, double end) {
+    return std::clamp(step < 0 ? std::min(value + step, std::nextafter(value, end))
+                               : std::max(value + step, std::nextafter(value, end)),
+                      -limit, limit);
+  };
+  return box_window({beyond(low.x, -by, -limit), beyond(low.y, -by, -limit)},
+                    {beyond(high.x, by, limit), beyond(high.y, by, limit)});
+}
+
+}  // namespace leonhard::delaunay
