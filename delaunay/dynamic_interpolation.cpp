@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <limits>
 
 #include "leonhard/delaunay/conflict.hpp"
@@ -64,7 +65,10 @@ PointLocation::Kind DynamicTriangulation::find_natural_weights(Point2 p, Search&
     weigh(p, at, search.weights);
     return at.kind;
   }
-  search.cavity.start(triangles_, triangles_.triangle(found.side));
+  // On an edge, start from the same one of its triangles whatever the way here was: sums are the same to the bit.
+  const SideId twin = triangles_.twin(found.side);
+  const SideId side = at.kind == PointLocation::Kind::on_edge ? std::min(found.side, twin) : found.side;
+  search.cavity.start(triangles_, triangles_.triangle(side));
   search.cavity.grow(triangles_, [&](SideId inner) {
     return in_conflict(triangles_, points_.flat(), triangles_.triangle(triangles_.twin(inner)), p);
   });

@@ -43,14 +43,16 @@ void share(const std::vector<Number>& areas, std::vector<VertexWeight>& weights)
 bool plausible(std::span<const Point2> points, Point2 p, const std::vector<VertexWeight>& weights) {
   constexpr double tolerance = 0x1p-33;
   Vec2 sum{};
-  double size = 0;
+  double size = 0, total = 0;
   for (const auto& [vertex, weight] : weights) {
     if (!(weight >= -tolerance)) return false;
     const Vec2 arm = points[vertex.index()] - p;
     sum = sum + weight * arm;
     size += std::abs(weight) * (std::abs(arm.x) + std::abs(arm.y));
+    total += weight;
   }
-  return std::abs(sum.x) + std::abs(sum.y) <= tolerance * size && std::isfinite(size);
+  return std::abs(sum.x) + std::abs(sum.y) <= tolerance * size && std::isfinite(size) &&
+         std::abs(total - 1) <= tolerance;
 }
 
 /// Weights by shares of areas, in floating point if that will do.
@@ -127,8 +129,8 @@ void edge_weights(std::span<const Point2> points, VertexId a, VertexId b, Point2
                   std::vector<VertexWeight>& weights) {
   weights.assign({{a, 0}, {b, 0}});
   const Point2 from = points[a.index()], to = points[b.index()];
-  // Lengths along the axis nearer to the edge's direction: all have one sign.
-  const bool steep = std::abs(to.y / 2 - from.y / 2) > std::abs(to.x / 2 - from.x / 2);
+  // Lengths along the axis nearer to the edge's direction: all have one sign, and the sum is not 0.
+  const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
   const auto lengths = [&]<class Number>(Number) {
     const auto along = [&](Point2 q) { return Number(steep ? q.y : q.x); };
     return std::vector<Number>{along(to) - along(p), along(p) - along(from)};
