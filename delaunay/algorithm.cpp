@@ -5,6 +5,7 @@
 #include "leonhard/delaunay/divide_and_conquer.hpp"
 #include "leonhard/delaunay/fast.hpp"
 #include "leonhard/delaunay/green_sibson.hpp"
+#include "leonhard/delaunay/randomized.hpp"
 #include "leonhard/delaunay/watson.hpp"
 
 namespace leonhard::delaunay {
@@ -22,6 +23,8 @@ PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorith
       return triangulate_fast(points, options);
     case Algorithm::watson:
       return triangulate_watson(points, options);
+    case Algorithm::randomized:
+      return triangulate_randomized(points, options);
     case Algorithm::bowyer:
       return triangulate_bowyer(points, options);
     case Algorithm::green_sibson:

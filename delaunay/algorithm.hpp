@@ -27,6 +27,7 @@ enum class Algorithm {
   watson,              ///< incremental: cavities of circumcircles (Barth's notes 3.3b)
   green_sibson,        ///< incremental: forward swapping (Barth's notes 3.3b)
   divide_and_conquer,  ///< halves merged by a rising bubble (Barth's notes 3.3a)
+  randomized,          ///< incremental in random order, with the Delaunay tree (Barth's notes 3.3c)
   bowyer,              ///< incremental, on the Voronoi diagram (Barth's notes 3.3b)
 };
 
@@ -38,6 +39,7 @@ struct NamedAlgorithm {
 inline constexpr std::array named_algorithms{
     NamedAlgorithm{"fast", Algorithm::fast},
     NamedAlgorithm{"watson", Algorithm::watson},
+    NamedAlgorithm{"randomized", Algorithm::randomized},
     NamedAlgorithm{"bowyer", Algorithm::bowyer},
     NamedAlgorithm{"green-sibson", Algorithm::green_sibson},
     NamedAlgorithm{"divide-and-conquer", Algorithm::divide_and_conquer},

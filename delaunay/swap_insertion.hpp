@@ -14,7 +14,7 @@ namespace leonhard::delaunay {
 
 /// Keeps no history of an insertion: see SwapInsertion.
 struct NoHistory {
-  void replaced(std::span<const TriangleId>, std::span<const TriangleId>) {}
+  void replaced(const GhostTriangulation&, std::span<const TriangleId>, std::span<const TriangleId>) {}
 };
 
 /// One insertion after another by Green and Sibson's method (Computer Journal 21, 1978; Barth's notes 3.3b):
@@ -30,8 +30,8 @@ class SwapInsertion {
   ///
   /// at       its location, not on a vertex; outside: a ghost triangle strictly inside whose half plane it
   ///          lies
-  /// history  history.replaced(olds, news) is told of every step: triangles `olds` gave way to `news`, which
-  ///          reuse their numbers; together they cover the same part of the sphere
+  /// history  history.replaced(in, olds, news) is told of every step: triangles `olds` gave way to `news`,
+  ///          which reuse their numbers and together cover the same part of the sphere
   /// returns  the number of triangles made, those that the swaps replaced again included
   template <class History>
   std::size_t insert(GhostTriangulation& in, std::span<const Point2> points, VertexId v, const Location& at,
@@ -80,7 +80,7 @@ class SwapInsertion {
     std::array<Spoke, 3> spokes;
     for (unsigned i = 0; i < 3; ++i) spokes[i] = place(in, news[i], corner[(i + 1) % 3], corner[(i + 2) % 3]);
     for (unsigned i = 0; i < 3; ++i) close(in, spokes[i], outer[i], spokes[(i + 1) % 3]);
-    history.replaced(std::array{t}, news);
+    history.replaced(in, std::array{t}, news);
     return 3;
   }
 
@@ -95,8 +95,8 @@ class SwapInsertion {
     std::array<Spoke, 4> spokes;
     for (unsigned i = 0; i < 4; ++i) spokes[i] = place(in, news[i], corner[i], corner[(i + 1) % 4]);
     for (unsigned i = 0; i < 4; ++i) close(in, spokes[i], outer[i], spokes[(i + 1) % 4]);
-    history.replaced(std::array{t}, std::array{t, news[1]});
-    history.replaced(std::array{u}, std::array{u, news[3]});
+    history.replaced(in, std::array{t}, std::array{t, news[1]});
+    history.replaced(in, std::array{u}, std::array{u, news[3]});
     return 4;
   }
 
@@ -121,7 +121,7 @@ class SwapInsertion {
     in.link(second.opposite, beyond_db);
     suspect_.push_back(second.opposite);
     close(in, first, beyond_ad, second);
-    history.replaced(pair, pair);
+    history.replaced(in, pair, pair);
   }
 
   VertexId site_{};

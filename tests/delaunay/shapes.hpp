@@ -125,6 +125,16 @@ inline std::vector<Point2> line_pair(std::size_t n, double gap = 8) {
   return points;
 }
 
+/// Figure 3.3.8 of Barth's notes: a column of sites, then a row of as many to its right that comes nearer and
+/// nearer. In this order each site of the row is joined to the whole column.
+inline std::vector<Point2> column_and_row(std::size_t half) {
+  std::vector<Point2> points;
+  const auto step = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(half); };
+  for (std::size_t i = 0; i < half; ++i) points.push_back({0, 2 * step(i) - 1});
+  for (std::size_t i = 0; i < half; ++i) points.push_back({3 - step(i), 0});
+  return points;
+}
+
 /// A few thousand points of every distribution on which algorithms are compared.
 inline std::vector<NamedPoints> distributions() {
   return {{"uniform", uniform(4000)},
