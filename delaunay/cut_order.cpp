@@ -155,8 +155,8 @@ bool CutSorter::sort(std::size_t begin, std::size_t end, unsigned depth, unsigne
     sort_by_coordinates(begin, end, depth);
     return true;
   }
-  // About 16 cells a point, so that few points share one.
-  const unsigned bits = std::min(16U, (static_cast<unsigned>(std::bit_width(n)) + 5) / 2);
+  // Many cells a point, so that few points share one even where they lie along a curve.
+  const unsigned bits = std::min(16U, (static_cast<unsigned>(std::bit_width(n)) + 9) / 2);
   const auto [low, high] = bounding_box(begin, end);
   const Grid grid(low, high, bits);
   if (!grid.divides()) {

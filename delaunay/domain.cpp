@@ -7,6 +7,7 @@
 
 #include "leonhard/delaunay/carve.hpp"
 #include "leonhard/delaunay/constrain.hpp"
+#include "leonhard/delaunay/sorted_triangulation.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/words.hpp"
 
@@ -164,17 +165,16 @@ Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Algorithm algorithm,
                    const AlgorithmOptions& options) {
   // 1. check
   check(pslg);
-  // 2. sort and merge
+  // 2. sort, merge, triangulate
   Domain domain;
-  domain.sorted = sort_and_merge(pslg.points);
-  note_duplicates(pslg, domain.sorted, domain.repairs);
-  // 3. triangulate
-  PointTriangulation points_only = triangulate_distinct(domain.sorted.points, algorithm, options);
-  domain.outcome = points_only.outcome;
+  SortedTriangulation points_only = sort_and_triangulate(pslg.points, algorithm, options);
+  domain.outcome = points_only.cells.outcome;
+  domain.sorted = std::move(points_only.sorted);
+  if (domain.outcome != TriangulateOutcome::stopped) note_duplicates(pslg, domain.sorted, domain.repairs);
   if (domain.outcome != TriangulateOutcome::done) return domain;
   domain.cells =
-      ConstrainedTriangulation(std::move(points_only.triangulation), std::move(domain.sorted.points));
-  // 4. constrain and carve
+      ConstrainedTriangulation(std::move(points_only.cells.triangulation), std::move(domain.sorted.points));
+  // 3. constrain and carve
   std::vector<VertexId> vertex_of;
   vertex_of.reserve(pslg.points.size());
   for (const std::uint32_t i : domain.sorted.sorted_index) vertex_of.push_back(VertexId{i});

@@ -31,7 +31,7 @@ void note_duplicates(const Pslg& pslg, const SortedPoints& sorted, std::vector<s
 void set_point_markers(const Pslg& pslg, const std::vector<MaybeId<VertexId>>& vertex_of_input,
                        TriangleMesh& mesh);
 
-/// Steps 1 to 4 of triangulate and mesh_pslg: check, sort and merge, triangulate, constrain and carve.
+/// Steps 1 to 3 of triangulate and mesh_pslg: check, sort and merge, triangulate, constrain and carve.
 ///
 /// keep_convex_hull  as in TriangulateOptions; a graph without segments keeps it too
 /// throws            InputError, as listed at triangulate

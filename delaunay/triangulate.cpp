@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "leonhard/delaunay/domain.hpp"
-#include "leonhard/delaunay/fast.hpp"
 #include "leonhard/delaunay/point_mesh.hpp"
+#include "leonhard/delaunay/sorted_triangulation.hpp"
 #include "leonhard/mesh/validate.hpp"
 
 namespace leonhard::delaunay {
@@ -16,30 +16,11 @@ AlgorithmOptions algorithm_options(const TriangulateOptions& options) {
   return {options.seed, options.threads, options.progress};
 }
 
-struct SortedTriangulation {
-  SortedPoints sorted;
-  PointTriangulation cells;
-};
-
-SortedTriangulation sort_and_triangulate(std::span<const Point2> points, const TriangulateOptions& options) {
-  SortedTriangulation result;
-  if (options.algorithm == Algorithm::fast) {
-    std::optional<CutOrder> order = sort_by_cuts(points, options.threads, options.progress);
-    if (!order) return {{}, {TriangulateOutcome::stopped, {}}};
-    result.cells = triangulate_fast(*order, algorithm_options(options));
-    result.sorted = std::move(order->sorted);
-  } else {
-    result.sorted = sort_and_merge(points);
-    result.cells = triangulate_distinct(result.sorted.points, options.algorithm, algorithm_options(options));
-  }
-  return result;
-}
-
 /// A graph of points alone, which become the mesh's.
 Triangulation triangulate_points(Pslg pslg, const TriangulateOptions& options) {
   check(pslg);
   Triangulation result;
-  SortedTriangulation made = sort_and_triangulate(pslg.points, options);
+  SortedTriangulation made = sort_and_triangulate(pslg.points, options.algorithm, algorithm_options(options));
   result.outcome = made.cells.outcome;
   if (result.outcome != TriangulateOutcome::stopped) note_duplicates(pslg, made.sorted, result.repairs);
   if (result.outcome != TriangulateOutcome::done) {

@@ -72,6 +72,33 @@ TEST_CASE("the_order_of_the_points_does_not_change_the_triangles") {
   }
 }
 
+TEST_CASE("threads_change_no_bit_of_the_mesh") {
+  // More points than one thread takes at a time.
+  const std::vector<Point2> points = shapes::uniform(60'000);
+  const TriangleMesh one = triangulate(points).mesh;
+  for (const unsigned threads : {2U, 3U, 0U}) {
+    delaunay::TriangulateOptions options;
+    options.threads = threads;
+    const TriangleMesh several = triangulate(points, options).mesh;
+    CHECK(several.points == one.points);
+    CHECK(several.corners == one.corners);
+    CHECK(several.neighbours == one.neighbours);
+    CHECK(several.boundary == one.boundary);
+  }
+}
+
+TEST_CASE("the_hull_is_listed_counter_clockwise_from_its_lowest_vertex") {
+  for (const shapes::NamedPoints& family : shapes::families()) {
+    CAPTURE(family.name);
+    const std::vector<MarkedEdge> hull = triangulate(family.points).mesh.boundary;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      CHECK(hull[i].to == hull[(i + 1) % hull.size()].from);
+      CHECK(hull[0].from <= hull[i].from);
+      CHECK(hull[i].marker == 1);
+    }
+  }
+}
+
 TEST_CASE("moving_one_point_changes_the_fingerprint") {
   std::vector<Point2> points = shapes::uniform(50);
   const Fingerprint before = mesh::fingerprint(triangulate(points).mesh);
