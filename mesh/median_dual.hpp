@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
+#include "leonhard/mesh/dual_metrics.hpp"
 #include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -10,17 +9,8 @@ namespace leonhard {
 
 /// Control volumes of the median dual (Barth's notes 1.2, figure 1.2.0): about each vertex the region bounded
 /// by the lines from the midpoints of its edges to the centroids of its triangles, and on the boundary by its
-/// halves of the boundary edges. Lengths in the unit of the coordinates.
-struct MedianDual {
-  /// One per edge: integral of the unit normal over the dual face between ends[0] and ends[1], pointing from
-  /// ends[0] to ends[1]. The face may bend at the midpoint, so its norm is the distance between the face's
-  /// ends.
-  PerId<EdgeId, Vec2> normal;
-  PerId<VertexId, double> area;  ///< of each control volume: a third of its triangles' areas
-  /// One per entry of mesh.boundary, same order: OUTWARD normal times length of the whole edge; half belongs
-  /// to each end.
-  std::vector<Vec2> boundary_normal;
-};
+/// halves of the boundary edges. A face bends at its edge's midpoint; an area is a third of the vertex's triangles'.
+using MedianDual = DualMetrics;
 
 namespace mesh {
 

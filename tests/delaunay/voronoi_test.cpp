@@ -11,6 +11,7 @@
 #include "leonhard/delaunay/voronoi_clip.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/dirichlet_dual.hpp"
 #include "tests/delaunay/shapes.hpp"
 
 using namespace leonhard;
@@ -257,6 +258,22 @@ TEST_CASE("a_mesh_that_is_no_delaunay_triangulation_of_its_hull_is_refused") {
   forced.segments = {{0, 2, 1}};
   CHECK_THROWS_AS((void)voronoi_diagram(triangulate(forced, {.keep_convex_hull = true}).mesh), InputError);
   CHECK_NOTHROW((void)voronoi_diagram(triangulate(shapes::grid(4)).mesh));
+}
+
+TEST_CASE(
+    "the_dirichlet_dual_is_the_clipped_voronoi_diagram_where_no_circumcentre_lies_beyond_the_boundary") {
+  std::vector<Point2> points;
+  for (int i = 0; i < 16; ++i) {  // half a unit apart on the square's sides
+    const double t = 0.5 * i;
+    points.insert(points.end(), {{t, 0}, {8, t}, {8 - t, 8}, {0, 8 - t}});
+  }
+  for (const Point2 p : shapes::uniform(90, 11)) points.push_back({0.5 + 7 * p.x, 0.5 + 7 * p.y});
+  const TriangleMesh mesh = triangulate(points).mesh;
+  const DirichletDual dual = mesh::dirichlet_dual(mesh, mesh::build_edges(mesh));
+  CHECK(dual.beyond.empty());
+  const ClippedVoronoi cells = clip(voronoi_diagram(mesh), box_window({0, 0}, {8, 8}));
+  for (const VertexId v : mesh.points.ids())
+    CHECK(dual.area[v] == doctest::Approx(cells.area[v]).epsilon(1e-12).scale(0));
 }
 
 TEST_CASE("bad_windows_are_refused") {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/mesh/dual_metrics.hpp"
+
+namespace leonhard::mesh {
+namespace {
+
+Vec2 turned_clockwise(Vec2 v) { return {v.y, -v.x}; }
+
+}  // namespace
+
+DualMetrics straight_dual(const TriangleMesh& mesh, const EdgeStructure& edges,
+                          const PerId<TriangleId, Point2>& centres) {
+  DualMetrics dual;
+  dual.normal.resize(edges.edge_count());
+  dual.area.resize(mesh.vertex_count(), 0.0);
+  for (const EdgeId e : edges.ends.ids()) {
+    const auto& [a, b] = edges.ends[e];
+    const auto& [left, right] = edges.sides[e];
+    // The face's ends, to the right and to the left of a -> b, as seen from a: differences keep their digits.
+    const Vec2 along = mesh.points[b] - mesh.points[a], middle = 0.5 * along;
+    const Vec2 from = right ? centres[*right] - mesh.points[a] : middle;
+    const Vec2 to = left ? centres[*left] - mesh.points[a] : middle;
+    dual.normal[e] = turned_clockwise(to - from);
+    dual.area[a] += 0.5 * cross(from, to);
+    dual.area[b] += 0.5 * cross(to - along, from - along);
+  }
+  dual.boundary_normal.reserve(mesh.boundary.size());
+  for (const MarkedEdge& edge : mesh.boundary)
+    dual.boundary_normal.push_back(turned_clockwise(mesh.points[edge.to] - mesh.points[edge.from]));
+  return dual;
+}
+
+}  // namespace leonhard::mesh
