@@ -5,6 +5,7 @@
 #include "leonhard/delaunay/divide_and_conquer.hpp"
 #include "leonhard/delaunay/fast.hpp"
 #include "leonhard/delaunay/green_sibson.hpp"
+#include "leonhard/delaunay/lawson.hpp"
 #include "leonhard/delaunay/randomized.hpp"
 #include "leonhard/delaunay/watson.hpp"
 
@@ -31,6 +32,8 @@ PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorith
       return triangulate_green_sibson(points, options);
     case Algorithm::divide_and_conquer:
       return triangulate_divide_and_conquer(points, options);
+    case Algorithm::lawson:
+      return triangulate_lawson(points, options);
   }
   return {};
 }

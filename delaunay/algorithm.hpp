@@ -29,6 +29,7 @@ enum class Algorithm {
   divide_and_conquer,  ///< halves merged by a rising bubble (Barth's notes 3.3a)
   randomized,          ///< incremental in random order, with the Delaunay tree (Barth's notes 3.3c)
   bowyer,              ///< incremental, on the Voronoi diagram (Barth's notes 3.3b)
+  lawson,              ///< edges swapped globally after a sweep (Barth's notes 3.3d); O(n^2) at worst
 };
 
 /// Every algorithm with the word for it, as the program's --algorithm takes it.
@@ -43,6 +44,7 @@ inline constexpr std::array named_algorithms{
     NamedAlgorithm{"bowyer", Algorithm::bowyer},
     NamedAlgorithm{"green-sibson", Algorithm::green_sibson},
     NamedAlgorithm{"divide-and-conquer", Algorithm::divide_and_conquer},
+    NamedAlgorithm{"lawson", Algorithm::lawson},
 };
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
 
@@ -53,7 +55,8 @@ struct AlgorithmOptions {
   Progress progress;
 };
 
-/// Triangles of a point set as a triangulation of the sphere; corner ids are indices of the points. Empty unless done.
+/// Triangles of a point set as a triangulation of the sphere; corner ids are indices of the points. Empty
+/// unless done.
 struct [[nodiscard]] PointTriangulation {
   TriangulateOutcome outcome = TriangulateOutcome::done;
   GhostTriangulation triangulation;
@@ -61,7 +64,8 @@ struct [[nodiscard]] PointTriangulation {
 
 /// The Delaunay triangulation of distinct, finite points by the algorithm named.
 ///
-/// points  best in an order along a space-filling curve (sort_and_merge), which some algorithms rely on for speed
+/// points  best in an order along a space-filling curve (sort_and_merge), which some algorithms rely on for
+///         speed
 PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorithm algorithm,
                                         const AlgorithmOptions& options);
 

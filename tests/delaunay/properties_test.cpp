@@ -13,53 +13,20 @@
 #include "leonhard/delaunay/visibility.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/quality.hpp"
 #include "leonhard/mesh/topology.hpp"
+#include "tests/delaunay/flips.hpp"
 #include "tests/delaunay/shapes.hpp"
 
 namespace leonhard {
 namespace {
 
 using delaunay::TrianglePair;
-
-std::vector<TrianglePair> convex_pairs(const TriangleMesh& mesh) {
-  std::vector<TrianglePair> pairs;
-  (void)delaunay::first_of_interior_edges(mesh, [&](const TrianglePair& pair) -> std::optional<int> {
-    const Point2 left = mesh.points[pair.left], right = mesh.points[pair.right];
-    if (kernel::orient2d(right, left, mesh.points[pair.from]) == Sign::positive &&
-        kernel::orient2d(left, right, mesh.points[pair.to]) == Sign::positive)
-      pairs.push_back(pair);
-    return std::nullopt;
-  });
-  return pairs;
-}
-
-/// The mesh with the other diagonal of two of its triangles.
-TriangleMesh flipped(const TriangleMesh& mesh, const TrianglePair& pair) {
-  auto corners = mesh.corners;
-  corners[pair.left_triangle] = {pair.right, pair.left, pair.from};
-  corners[pair.right_triangle] = {pair.left, pair.right, pair.to};
-  return mesh::make_triangle_mesh(mesh.points, corners, mesh.boundary);
-}
-
-/// Another triangulation of the same points, far from Delaunay.
-TriangleMesh scrambled(TriangleMesh mesh, unsigned seed, int flips) {
-  std::mt19937 random(seed);
-  for (int i = 0; i < flips; ++i) {
-    const auto pairs = convex_pairs(mesh);
-    if (pairs.empty()) break;
-    mesh = flipped(mesh, pairs[random() % pairs.size()]);
-  }
-  return mesh;
-}
-
-std::vector<double> random_values(std::size_t n, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1, 1);
-  std::vector<double> values;
-  for (std::size_t i = 0; i < n; ++i) values.push_back(value(random));
-  return values;
-}
+using shapes::convex_pairs;
+using shapes::flipped;
+using shapes::random_values;
+using shapes::scrambled;
 
 void check_holds(const std::optional<std::string>& problem) {
   INFO(problem.value_or(""));
@@ -177,9 +144,7 @@ TEST_CASE("constrained_meshes_have_constrained_edge_circles_and_swapped_edges_ha
     for (const TrianglePair& pair : convex_pairs(mesh)) {
       const auto& p = mesh.points;
       if (kernel::incircle(p[pair.from], p[pair.to], p[pair.left], p[pair.right]) != Sign::negative) continue;
-      TriangleMesh bad = flipped(mesh, pair);
-      bad.constraints = mesh.constraints;
-      CHECK(delaunay::validate_constrained_edge_circles(bad));
+      CHECK(delaunay::validate_constrained_edge_circles(flipped(mesh, pair)));
     }
   }
 }
@@ -229,6 +194,30 @@ TEST_CASE("nearest_neighbours_of_many_points_are_joined") {
   std::vector<Point2> upright;
   for (Point2 p : shapes::uniform(5000)) upright.push_back({p.x * 1e-3, p.y});
   check_holds(delaunay::validate_nearest_neighbours(delaunay::triangulate(upright).mesh));
+}
+
+TEST_CASE("nearest_neighbours_are_those_of_a_search_through_all_vertices") {
+  const auto all_joined = [](const TriangleMesh& mesh) {
+    const EdgeStructure edges = mesh::build_edges(mesh);
+    for (const VertexId v : mesh.points.ids()) {
+      std::vector<VertexId> others;
+      for (const VertexId w : mesh.points.ids())
+        if (w != v) others.push_back(w);
+      const auto nearer = [&](VertexId a, VertexId b) {
+        return kernel::compare_distance(mesh.points[v], mesh.points[a], mesh.points[b]) == Sign::negative;
+      };
+      const VertexId nearest = *std::min_element(others.begin(), others.end(), nearer);
+      for (const VertexId w : others)
+        if (!nearer(nearest, w) && !edges.find(v, w)) return false;
+    }
+    return true;
+  };
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    const std::vector<Point2> points = seed % 2 == 0 ? shapes::grid(3) : shapes::uniform(9, seed);
+    const TriangleMesh mesh = scrambled(delaunay::triangulate(points).mesh, seed, 4);
+    CAPTURE(seed);
+    CHECK(all_joined(mesh) == !delaunay::validate_nearest_neighbours(mesh).has_value());
+  }
 }
 
 }  // namespace
