@@ -37,17 +37,17 @@ class TreeInserter {
 
 DelaunayTree::DelaunayTree(std::vector<Point2> points, std::vector<std::uint32_t> order,
                            const Progress& progress)
-    : points_(std::move(points)) {
-  build(std::move(order), progress);
+    : points_(std::move(points)), order_(std::move(order)) {
+  build(progress);
 }
 
 DelaunayTree::DelaunayTree(std::vector<Point2> points, const AlgorithmOptions& options)
-    : points_(std::move(points)) {
-  build(random_order(points_.size(), options.seed), options.progress);
+    : points_(std::move(points)), order_(random_order(points_.size(), options.seed)) {
+  build(options.progress);
 }
 
-void DelaunayTree::build(std::vector<std::uint32_t> order, const Progress& progress) {
-  Construction made = insert_in_order(points_, std::move(order), progress, TreeInserter(points_, history_));
+void DelaunayTree::build(const Progress& progress) {
+  Construction made = insert_in_order(points_, order_, progress, TreeInserter(points_, history_));
   outcome_ = made.result.outcome;
   triangulation_ = std::move(made.result.triangulation);
   structural_changes_ = made.structural_changes;

@@ -33,6 +33,8 @@ class DelaunayTree {
   [[nodiscard]] const std::vector<Point2>& points() const { return points_; }
   [[nodiscard]] const GhostTriangulation& triangulation() const { return triangulation_; }
   [[nodiscard]] const TriangleHistory& history() const { return history_; }
+  /// The order in which the points were inserted.
+  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   /// Triangles ever made, ghost triangles among them, the first one and its ghosts not counted. Expected
   /// below 9 n for a random order, of which below 6 n outlive the insertion that made them.
   [[nodiscard]] std::size_t structural_changes() const { return structural_changes_; }
@@ -50,9 +52,10 @@ class DelaunayTree {
   [[nodiscard]] VertexId nearest(Point2 p) const;
 
  private:
-  void build(std::vector<std::uint32_t> order, const Progress& progress);
+  void build(const Progress& progress);
 
   std::vector<Point2> points_;
+  std::vector<std::uint32_t> order_;
   TriangulateOutcome outcome_ = TriangulateOutcome::done;
   GhostTriangulation triangulation_;
   TriangleHistory history_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/green_sibson.hpp"
 
-#include <utility>
-
 #include "leonhard/delaunay/locate.hpp"
 #include "leonhard/delaunay/swap_insertion.hpp"
 
@@ -43,7 +41,7 @@ class GreenSibson {
 
 Construction insert_green_sibson(std::span<const Point2> points, std::vector<std::uint32_t> order,
                                  const Progress& progress) {
-  return insert_in_order(points, std::move(order), progress, GreenSibson(points));
+  return insert_in_order(points, order, progress, GreenSibson(points));
 }
 
 PointTriangulation triangulate_green_sibson(std::span<const Point2> points, const AlgorithmOptions& options) {

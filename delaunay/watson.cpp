@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/watson.hpp"
 
-#include <utility>
-
 #include "leonhard/delaunay/cavity.hpp"
 #include "leonhard/delaunay/conflict.hpp"
 #include "leonhard/delaunay/locate.hpp"
@@ -49,7 +47,7 @@ class Watson {
 
 Construction insert_watson(std::span<const Point2> points, std::vector<std::uint32_t> order,
                            const Progress& progress) {
-  return insert_in_order(points, std::move(order), progress, Watson(points));
+  return insert_in_order(points, order, progress, Watson(points));
 }
 
 PointTriangulation triangulate_watson(std::span<const Point2> points, const AlgorithmOptions& options) {
