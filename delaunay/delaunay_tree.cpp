@@ -47,6 +47,7 @@ DelaunayTree::DelaunayTree(std::vector<Point2> points, const AlgorithmOptions& o
 }
 
 void DelaunayTree::build(const Progress& progress) {
+  (void)bring_triangle_to_front(points_, order_);  // as insert_in_order will do: order() tells the truth
   Construction made = insert_in_order(points_, order_, progress, TreeInserter(points_, history_));
   outcome_ = made.result.outcome;
   triangulation_ = std::move(made.result.triangulation);

@@ -31,11 +31,11 @@ struct [[nodiscard]] Construction {
 /// span, with its ghosts, then one point after another.
 ///
 /// points    distinct and finite
-/// order     a permutation of the points; three that span a triangle are brought to its front
+/// order     a permutation of the points; three that span a triangle come first (bring_triangle_to_front)
 /// inserter  inserter.start(triangulation) is called once, inserter.insert(triangulation, vertex) for each
 ///           next point; each insert returns the number of triangles made
 template <class Inserter>
-Construction insert_in_order(std::span<const Point2> points, std::vector<std::uint32_t>& order,
+Construction insert_in_order(std::span<const Point2> points, std::vector<std::uint32_t> order,
                              const Progress& progress, Inserter&& inserter) {
   using Outcome = TriangulateOutcome;
   if (points.size() < 3) return {{Outcome::too_few_points, {}}};
