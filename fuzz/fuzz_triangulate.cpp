@@ -84,7 +84,9 @@ bool is_nearest(const delaunay::DelaunayTree& tree, VertexId site, Point2 p) {
 }
 
 void check_tree(const std::vector<Point2>& points, std::uint64_t seed) {
-  const delaunay::DelaunayTree tree(distinct(points), {seed, 1, {}});
+  delaunay::AlgorithmOptions options;
+  options.seed = seed;
+  const delaunay::DelaunayTree tree(distinct(points), options);
   if (tree.outcome() != delaunay::TriangulateOutcome::done) return;
   std::vector<Point2> asked = points;
   for (std::size_t i = 1; i < points.size(); ++i)  // halves first: sums may overflow
