@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Sequences of insertions, removals and queries from bytes, on small integer grids, nearly tenths and raw doubles: every
+// invariant after each step, queries against a look at all vertices, and at the end the triangles from scratch.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fuzz/fuzz_input.hpp"
+#include "leonhard/delaunay/dynamic_triangulation.hpp"
+#include "leonhard/delaunay/triangulate.hpp"
+#include "leonhard/kernel/exact.hpp"
+#include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/validate.hpp"
+
+namespace {
+
+using namespace leonhard;
+using delaunay::DynamicTriangulation;
+using Kind = delaunay::PointLocation::Kind;
+
+/// The triangulation, what it must know, and how it came to be.
+class Sequence {
+ public:
+  void insert(Point2 p, MaybeId<VertexId> hint) {
+    note("insert", p);
+    const auto [v, is_new] = sites_.insert(p, hint);
+    const auto known = ids_.find(p);
+    require(is_new == (known == ids_.end()), "insert tells new from known wrongly");
+    require(is_new || known->second == v, "an id has changed");
+    ids_.emplace(p, v);
+    check();
+  }
+  void insert(const std::vector<Point2>& points) {
+    for (const Point2 p : points) note("insert", p);
+    const std::vector<VertexId> vertices = sites_.insert(points);
+    for (std::size_t i = 0; i < points.size(); ++i) ids_.emplace(points[i], vertices[i]);
+    check();
+  }
+  void remove(std::size_t which) {
+    if (ids_.empty()) return;
+    auto chosen = ids_.begin();
+    std::advance(chosen, which % ids_.size());
+    note("remove", chosen->first);
+    sites_.remove(chosen->second);
+    ids_.erase(chosen);
+    check();
+  }
+  void ask(Point2 p, MaybeId<VertexId> hint) {
+    note("ask", p);
+    const auto known = ids_.find(p);
+    const delaunay::PointLocation at = sites_.locate(p, hint);
+    require((at.kind == Kind::on_vertex) == (known != ids_.end()), "locate finds a vertex wrongly");
+    require(sites_.locate(p) == at, "the hint changes the location");
+    check_nearest(p, sites_.nearest_vertex(p, hint));
+    check_weights(at.kind, sites_.natural_neighbours(p, hint));
+  }
+  void check_from_scratch() const {
+    std::vector<Point2> points;
+    for (const auto& [p, v] : ids_) points.push_back(p);
+    const DynamicTriangulation::Mesh copy = sites_.to_mesh();
+    if (sites_.extent() == delaunay::Extent::plane) {
+      const auto broken = mesh::validate(copy.mesh);
+      require(!broken, broken.value_or(""));
+    }
+    require(mesh::fingerprint(copy.mesh) == mesh::fingerprint(delaunay::triangulate(points).mesh),
+            "triangulate() gives other triangles");
+  }
+  [[nodiscard]] MaybeId<VertexId> hint(std::uint8_t byte) const {
+    return byte % 4 == 0 ? MaybeId<VertexId>{} : MaybeId<VertexId>(VertexId{byte});
+  }
+
+ private:
+  void note(const char* what, Point2 p) {
+    std::array<char, 96> line{};
+    std::snprintf(line.data(), line.size(), "%s({%a, %a});\n", what, p.x, p.y);
+    history_ += line.data();
+  }
+  /// Ends the program after printing the sequence; remove names the vertex by its place.
+  void require(bool holds, const std::string& words) const {
+    if (holds) return;
+    std::fprintf(stderr, "\n%s// %s\n", history_.c_str(), words.c_str());
+    std::abort();
+  }
+  void check() const {
+    const auto broken = sites_.validate();
+    require(!broken, broken.value_or(""));
+    require(sites_.size() == ids_.size(), "the number of vertices is wrong");
+    for (const auto& [p, v] : ids_) require(sites_.contains(v) && sites_.point(v) == p, "an id is lost");
+  }
+  void check_nearest(Point2 p, MaybeId<VertexId> found) const {
+    require(found.has_value() == !ids_.empty(), "no nearest vertex");
+    for (const auto& [q, v] : ids_) {
+      const Sign sign = kernel::exact::compare_distance(p, q, sites_.point(*found));
+      require(sign == Sign::positive || (sign == Sign::zero && !(q < sites_.point(*found))),
+              "another vertex is nearer");
+    }
+  }
+  void check_weights(Kind kind, const delaunay::NaturalNeighbours& found) const {
+    require(found.where == kind, "natural_neighbours and locate disagree");
+    double sum = 0;
+    for (const auto& [v, weight] : found.weights) {
+      require(sites_.contains(v) && weight >= 0, "a weight is negative or of no vertex");
+      sum += weight;
+    }
+    require(kind == Kind::outside ? found.weights.empty() : std::abs(sum - 1) < 1e-9,
+            "the weights do not sum to 1");
+  }
+
+  DynamicTriangulation sites_;
+  std::map<Point2, VertexId, std::less<>> ids_;
+  std::string history_;
+};
+
+Point2 point_from(fuzzing::Input& in, unsigned kind) {
+  if (kind < 3) return in.point(kind);
+  const double x = in.take<std::uint8_t>() % kind;  // a small grid
+  return {x, static_cast<double>(in.take<std::uint8_t>() % kind)};
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzzing::Input in(data, size);
+  const unsigned kind = in.take<std::uint8_t>() % 8;
+  Sequence sequence;
+  std::vector<Point2> first;
+  for (unsigned i = in.take<std::uint8_t>() % 24; i > 0; --i) first.push_back(point_from(in, kind));
+  if (!first.empty()) sequence.insert(first);
+  for (int steps = 0; steps < 80 && !in.empty(); ++steps) {
+    const auto action = in.take<std::uint8_t>();
+    const MaybeId<VertexId> hint = sequence.hint(in.take<std::uint8_t>());
+    if (action % 8 < 4)
+      sequence.insert(point_from(in, kind), hint);
+    else if (action % 8 < 7)
+      sequence.remove(action / 8);
+    else
+      sequence.ask(point_from(in, kind), hint);
+  }
+  sequence.check_from_scratch();
+  return 0;
+}
