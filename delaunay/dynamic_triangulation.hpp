@@ -105,7 +105,7 @@ class DynamicTriangulation {
   /// The vertices of many points, as inserting them one by one would leave them; equal points share one. Where there
   /// was no vertex before, all ids are new: 0, 1, ... in the order of the points that made them, in O(n log n).
   std::vector<VertexId> insert(std::span<const Point2> points, unsigned threads = 1);
-  /// Cost O(degree^2) at worst. Method: the hole is filled with the triangles that are Delaunay for its corners
+  /// Cost O(degree log degree). Method: the hole is filled with the triangles that are Delaunay for its corners
   /// (Devillers, Int. J. Computational Geometry and Applications 12 (2002)), see Star.
   void remove(VertexId v);
   void clear();

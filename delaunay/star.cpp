@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "leonhard/delaunay/fast.hpp"
 #include "leonhard/kernel/predicates.hpp"
 
 namespace leonhard::delaunay {
@@ -23,17 +24,21 @@ void Star::start(const GhostTriangulation& in, SideId side) {
   if (found != link_.end()) std::rotate(link_.begin(), found + 1, link_.end());
 }
 
-void Star::fill(GhostTriangulation& in, std::span<const Point2> points) {
+void Star::fill(GhostTriangulation& in, std::span<const Point2> points, std::size_t few) {
   in_ = &in;
   points_ = points;
   taken_ = 0;
-  if (has_ghost()) {
-    fill_about_ghost();
-  } else {
-    const SideId outer = link_.back().outer;
-    in.link(fill_chain(0, link_.size() - 1), outer);
-  }
+  if (link_.size() <= few)
+    fill_directly();
+  else
+    fill_from_whole();
   assert(taken_ + 2 == triangles_.size());
+}
+
+void Star::fill_directly() {
+  if (has_ghost()) return fill_about_ghost();
+  const SideId outer = link_.back().outer;
+  in_->link(fill_chain(0, link_.size() - 1), outer);
 }
 
 /// One of the star's triangles, with new corners.
@@ -93,6 +98,62 @@ void Star::fill_about_ghost() {
     }
   }
   in_->link(from_ghost, link_[last].outer);
+}
+
+void Star::fill_from_whole() {
+  std::vector<Point2> corners;
+  for (const Link& l : link_)
+    if (l.from != GhostTriangulation::ghost) corners.push_back(at(l.from));
+  const PointTriangulation whole = triangulate_fast(corners);
+  if (whole.outcome == TriangulateOutcome::done) return copy_part(whole.triangulation);
+  // All on one line, with nothing behind: ghosts alone.
+  assert(has_ghost());
+  SideId from_ghost = link_.back().outer;
+  for (std::size_t i = 0; i + 2 < link_.size(); ++i) {
+    const TriangleId t = take(GhostTriangulation::ghost, link_[i].from, link_[i + 1].from);
+    in_->link(in_->side(t, 0), link_[i].outer);
+    in_->link(in_->side(t, 2), from_ghost);
+    from_ghost = in_->side(t, 1);
+  }
+  in_->link(from_ghost, link_[link_.size() - 2].outer);
+}
+
+/// Take over the triangles that lie on the hole's side of the link's edges.
+///
+/// whole  the Delaunay triangulation of the link's vertices, numbered by their places in link(); its triangles within
+///        the hole are those that are wanted, so the link's edges are among its edges
+void Star::copy_part(const GhostTriangulation& whole) {
+  const std::size_t n = link_.size();
+  const std::size_t ghost_place = has_ghost() ? n - 1 : n;  // n: nowhere
+  const auto place = [&](VertexId v) { return v == GhostTriangulation::ghost ? ghost_place : v.index(); };
+  const auto is_border = [&](SideId s) {
+    const std::size_t from = place(whole.origin(s)), to = place(whole.destination(s));
+    return from < n && to == (from + 1 == n ? 0 : from + 1);
+  };
+  std::vector<MaybeId<TriangleId>> copy_of(whole.triangle_count());
+  std::vector<TriangleId> pending;
+  const auto copy = [&](TriangleId t) {
+    if (!copy_of[t.index()]) {
+      const auto corner = [&](unsigned i) { return link_[place(whole.corner(t, i))].from; };
+      copy_of[t.index()] = take(corner(0), corner(1), corner(2));
+      pending.push_back(t);
+    }
+    return *copy_of[t.index()];
+  };
+  for (std::size_t i = 0; pending.empty(); ++i)  // until a border's triangle is found
+    for (unsigned k = 0; k < 3; ++k)
+      if (const TriangleId t = TriangleId::from(i); is_border(whole.side(t, k)) && pending.empty()) copy(t);
+  while (!pending.empty()) {
+    const TriangleId t = pending.back();
+    pending.pop_back();
+    for (unsigned k = 0; k < 3; ++k) {
+      const SideId s = whole.side(t, k), twin = whole.twin(s), mine = in_->side(*copy_of[t.index()], k);
+      if (is_border(s))
+        in_->link(mine, link_[place(whole.origin(s))].outer);
+      else
+        in_->link(mine, in_->side(copy(whole.triangle(twin)), whole.number(twin)));
+    }
+  }
 }
 
 }  // namespace leonhard::delaunay

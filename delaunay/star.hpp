@@ -37,12 +37,18 @@ class Star {
   /// Replace the star by the Delaunay triangulation of the hole, with two triangles less. The link is used up. The
   /// vertices without the centre must not all be collinear.
   ///
-  /// Cost: a pass over the link for each triangle, O(degree^2) at worst.
-  void fill(GhostTriangulation& in, std::span<const Point2> points);
+  /// Cost O(degree log degree): a pass over the link for each triangle while these are few; else the whole Delaunay
+  /// triangulation of the link's vertices, of which the hole's part is taken.
+  ///
+  /// few  up to how many vertices of the link count as few, at least 3; the answer does not depend on it
+  void fill(GhostTriangulation& in, std::span<const Point2> points, std::size_t few = 64);
 
  private:
+  void fill_directly();
   void fill_about_ghost();
   SideId fill_chain(std::size_t first, std::size_t last);
+  void fill_from_whole();
+  void copy_part(const GhostTriangulation& whole);
   std::size_t apex(VertexId from, VertexId to, std::size_t begin, std::size_t end) const;
   TriangleId take(VertexId a, VertexId b, VertexId c);
   [[nodiscard]] Point2 at(VertexId v) const { return points_[v.index()]; }

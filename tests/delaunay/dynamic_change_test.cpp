@@ -252,11 +252,45 @@ TEST_CASE("a_copy_lives_on_its_own") {
   require_same_from_scratch(sites);
 }
 
+/// Points that all become neighbours of the last one, within the hull or on it, far more than are filled directly.
+std::vector<shapes::NamedPoints> hubs() {
+  std::vector<shapes::NamedPoints> all;
+  all.push_back({"within cocircular points", shapes::lattice_circle(5 * 13 * 17 * 29)});
+  all.push_back({"within a circle", shapes::circle(20'000)});
+  all.push_back({"beside a line with one point behind", {{5000, 1}}});
+  for (int i = 0; i < 20'000; ++i) all.back().points.push_back({static_cast<double>(i), 0});
+  all.push_back({"beside a line", {}});
+  for (int i = 0; i < 20'000; ++i) all.back().points.push_back({static_cast<double>(i), 0});
+  all.push_back({"beside an arc", {}});
+  for (const Point2 p : shapes::parabola(5'000)) all.back().points.push_back(p);
+  return all;
+}
+
 TEST_CASE("a_hub_with_many_neighbours_can_be_removed") {
-  std::vector<Point2> wheel = shapes::cocircular();  // the first point is the centre
-  DynamicTriangulation sites(wheel);
-  sites.remove(VertexId{0});
-  require_same_from_scratch(sites);
+  for (const shapes::NamedPoints& family : hubs()) {
+    CAPTURE(family.name);
+    DynamicTriangulation sites(family.points);
+    const bool within = family.name.find("within") == 0;
+    const VertexId hub = sites.insert(within ? Point2{0, 0} : Point2{10, -1e9}).vertex;
+    const delaunay::NeighbourView around = sites.neighbours(hub);
+    const auto degree = static_cast<std::size_t>(std::distance(around.begin(), around.end()));
+    CHECK(degree + 1 >= family.points.size());
+    sites.remove(hub);
+    require_same_from_scratch(sites);
+  }
+}
+
+TEST_CASE("a_hub_among_reflex_corners_can_be_removed") {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> off(-0.0015, 0.0015);
+  for (int i = 0; i < 30; ++i) {
+    std::vector<Point2> points{{0, 0}};
+    for (const Point2 p : shapes::circle(100)) points.push_back(p + off(random) * (p - Point2{}));
+    for (const Point2 p : shapes::circle(30)) points.push_back({1.5 * p.x, 1.5 * p.y});
+    DynamicTriangulation sites(points);
+    sites.remove(VertexId{0});
+    require_same_from_scratch(sites);
+  }
 }
 
 TEST_CASE("a_hundred_thousand_insertions_and_half_as_many_removals_end_as_from_scratch") {
