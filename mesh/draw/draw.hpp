@@ -4,6 +4,7 @@
 /// Everything that draws: PNG, SVG and PDF by the file's extension.
 #include "leonhard/mesh/draw/colour.hpp"
 #include "leonhard/mesh/draw/curves.hpp"
+#include "leonhard/mesh/draw/diagram.hpp"
 #include "leonhard/mesh/draw/mesh_picture.hpp"
 #include "leonhard/mesh/draw/pattern.hpp"
 #include "leonhard/mesh/draw/picture.hpp"

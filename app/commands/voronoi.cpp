@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/delaunay/voronoi.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+#include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/console.hpp"
+#include "leonhard/app/points/read_any_points.hpp"
+#include "leonhard/app/report/cells_file.hpp"
+#include "leonhard/app/report/lap_timer.hpp"
+#include "leonhard/delaunay/voronoi_clip.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/draw/diagram.hpp"
+#include "leonhard/mesh/io/extension.hpp"
+
+namespace leonhard::app {
+namespace {
+
+using delaunay::ClippedVoronoi;
+using delaunay::VoronoiDiagram;
+
+struct VoronoiCommand {
+  CommonOptions common;
+  std::string points, fill = "none", title;
+  std::vector<double> box;
+  std::array<int, 2> size{1600, 1000};
+  bool sites = false;
+};
+
+using Window = std::array<Point2, 4>;
+
+Window window_of(const VoronoiCommand& command, std::span<const Point2> points) {
+  if (command.box.empty()) return delaunay::window_about(points);
+  const auto& b = command.box;
+  if (!(b[0] < b[2] && b[1] < b[3]))
+    throw InputError("--box", fmt::format("{:g},{:g},{:g},{:g} is no box", b[0], b[1], b[2], b[3]),
+                     "give xmin,ymin,xmax,ymax");
+  return delaunay::box_window({b[0], b[1]}, {b[2], b[3]});
+}
+
+draw::Diagram picture_of(const VoronoiCommand& command, const VoronoiDiagram& diagram,
+                         const ClippedVoronoi& cells, const Window& window) {
+  const double air = 0.01 * std::max(window[2].x - window[0].x, window[2].y - window[0].y);
+  draw::Diagram picture;
+  picture.title = command.title;
+  picture.axes = true;
+  picture.scale_label = "area of the cell";
+  picture.region = draw::Box{window[0] + Vec2{-air, -air}, window[2] + Vec2{air, air}};
+  // Many cells: thinner lines and smaller dots, so that they keep apart.
+  const double fine = std::clamp(40 / std::sqrt(static_cast<double>(diagram.sites.size()) + 1), 0.3, 1.0);
+  const bool by_area = command.fill == "area";
+  // Over the scale's colours, dark and light, other ones are seen than over white.
+  const draw::Colour edge = by_area ? draw::Colour{0.9, 0.9, 0.9} : draw::Colour{0.22, 0.27, 0.36};
+  const draw::Colour dot = by_area ? draw::Colour{0.9, 0.25, 0.1} : draw::Colour{0.1, 0.1, 0.1};
+  for (const VertexId site : diagram.sites.ids()) {
+    const auto corners = cells.cell(site);
+    if (corners.empty()) continue;
+    const std::vector<Point2> polygon(corners.begin(), corners.end());
+    if (by_area) picture.areas.push_back({.corners = polygon, .value = cells.area[site]});
+    picture.paths.push_back({polygon, {.colour = edge, .width = fine}, true});
+    if (command.sites) picture.dots.push_back({diagram.sites[site], dot, fine});
+  }
+  picture.paths.push_back({{window.begin(), window.end()}, {.colour = {0.1, 0.1, 0.1}, .width = 2}, true});
+  return picture;
+}
+
+void write(const VoronoiCommand& command, const std::string& extension, const VoronoiDiagram& diagram,
+           const ClippedVoronoi& cells, const Window& window) {
+  const std::string& path = command.common.output;
+  if (extension == ".vtu") return write_cells_vtu(path, diagram, cells);
+  if (extension == ".json") return write_cells_json(path, diagram, cells);
+  draw::draw_diagram(path, picture_of(command, diagram, cells, window), {command.size[0], command.size[1]});
+}
+
+Json report_of(const VoronoiDiagram& diagram, const ClippedVoronoi& cells, const Window& window) {
+  const auto ids = diagram.sites.ids();
+  double sum = 0, largest = 0;
+  for (const double area : cells.area) sum += area, largest = std::max(largest, area);
+  const auto shown =
+      std::count_if(ids.begin(), ids.end(), [&](VertexId s) { return !cells.cell(s).empty(); });
+  const auto unbounded =
+      std::count_if(ids.begin(), ids.end(), [&](VertexId s) { return diagram.is_unbounded(s); });
+  return {{"points", diagram.site_of_input.size()},
+          {"sites", diagram.sites.size()},
+          {"duplicates", diagram.site_of_input.size() - diagram.sites.size()},
+          {"unbounded_cells", unbounded},
+          {"vertices", diagram.vertices.size()},
+          {"edges", diagram.edges.size()},
+          {"box", {{"low", {window[0].x, window[0].y}}, {"high", {window[2].x, window[2].y}}}},
+          {"cells_in_box", shown},
+          {"area_sum", sum},
+          {"box_area", (window[2].x - window[0].x) * (window[2].y - window[0].y)},
+          {"largest_area", largest}};
+}
+
+std::string text_of(const Json& r) {
+  std::string text;
+  const auto line = [&text](std::string_view name, const std::string& value) {
+    fmt::format_to(std::back_inserter(text), "{:<17}{}\n", name, value);
+  };
+  const auto count = [&r](const char* key) { return grouped(r[key].get<std::uint64_t>()); };
+  line("points", fmt::format("{}, {} duplicates merged", count("points"), count("duplicates")));
+  line("sites", count("sites"));
+  line("unbounded cells", count("unbounded_cells"));
+  line("vertices", count("vertices"));
+  line("edges", count("edges"));
+  line("cells in the box", count("cells_in_box"));
+  line("their areas", fmt::format("{:.15g} together, the box has {:.15g}", r["area_sum"].get<double>(),
+                                  r["box_area"].get<double>()));
+  return text;
+}
+
+ExitCode voronoi(const VoronoiCommand& command) {
+  LapTimer timer;
+  Console console(command.common.quiet);
+  const StopOnSignal signals;
+  static const std::vector<std::string> known{".png", ".svg", ".pdf", ".vtu", ".json"};
+  const std::string extension =
+      io::known_extension(command.common.output, known, "Voronoi");  // before any work
+  const PointsFile file = read_any_points(command.points);
+  for (const std::string& warning : file.warnings) console.warning(warning);
+  const Window window = window_of(command, file.set.points);
+  timer.lap("read");
+
+  delaunay::TriangulateOptions options;
+  options.threads = static_cast<unsigned>(command.common.threads);
+  options.seed = command.common.seed;
+  options.progress.stop = signals.token();
+  const auto diagram = delaunay::voronoi_diagram(file.set.points, options);
+  if (!diagram) {
+    fmt::print(stderr, "leonhard: {}: stopped before the diagram was done\n", command.points);
+    return ExitCode::stopped;
+  }
+  timer.lap("diagram");
+  const ClippedVoronoi cells = delaunay::clip(*diagram, window);
+  timer.lap("clip");
+  write(command, extension, *diagram, cells, window);
+  timer.lap("write");
+
+  Json report = report_of(*diagram, cells, window);
+  report["output"] = command.common.output;
+  report["warnings"] = file.warnings;
+  report["seconds"] = timer.seconds();
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  fmt::print("{}", command.common.json ? report.dump(2) + "\n" : text_of(report));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_voronoi(CLI::App& program, ExitCode& code) {
+  auto options = std::make_shared<VoronoiCommand>();
+  options->common.output = "voronoi.png";
+  CLI::App* command = program.add_subcommand(
+      "voronoi", "The Voronoi diagram of points, its cells clipped to a box, with areas");
+  command->add_option("points", options->points, "Points (.node .xy .csv .txt .json .geojson)")->required();
+  command->add_option("--box", options->box, "xmin,ymin,xmax,ymax; otherwise the points' box and a margin")
+      ->delimiter(',')
+      ->expected(4);
+  command->add_flag("--sites", options->sites, "Picture: show the sites");
+  command->add_option("--fill", options->fill, "Picture: colour of the cells")
+      ->check(CLI::IsMember({"none", "area"}))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "Picture: width,height in pixels")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--title", options->title, "Title of the picture");
+  add_common_flags(
+      *command, options->common,
+      "A picture (.png .svg .pdf), or the clipped cells with areas (.vtu .json); default voronoi.png");
+  command->callback([options, &code] { code = voronoi(*options); });
+}
+
+}  // namespace leonhard::app

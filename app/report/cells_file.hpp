@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "leonhard/delaunay/voronoi_clip.hpp"
+
+namespace leonhard::app {
+
+/// Write the clipped cells of a Voronoi diagram as an unstructured grid of polygons (.vtu, text), which ParaView opens:
+/// cell data `site` (number), `area` and `unbounded`. Each cell has corners of its own. Cells outside the window are
+/// left out.
+/// throws OutputError
+void write_cells_vtu(const std::filesystem::path& path, const delaunay::VoronoiDiagram& diagram,
+                     const delaunay::ClippedVoronoi& cells);
+
+/// The same as JSON: {"cells": [{"site": 0, "at": [x, y], "area": a, "unbounded": false, "corners": [[x, y], ...]}]}.
+/// throws OutputError
+void write_cells_json(const std::filesystem::path& path, const delaunay::VoronoiDiagram& diagram,
+                      const delaunay::ClippedVoronoi& cells);
+
+}  // namespace leonhard::app
