@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "leonhard/delaunay/parallel.hpp"
+#include "leonhard/delaunay/release.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -218,7 +219,7 @@ void CutSorter::halve(std::size_t begin, std::size_t end, unsigned depth) {
 }
 
 CutOrder CutSorter::take() {
-  scratch_ = {};
+  release(scratch_);
   const std::size_t n = items_.size();
   // Equal points move up to the first of them, which has the lowest index.
   CutOrder order;

@@ -24,33 +24,6 @@ void GhostTriangulation::renumber_vertices(std::span<const std::uint32_t> number
       if (v != ghost) v = VertexId{number_of[v.index()]};
 }
 
-void GhostTriangulation::swap_triangles(TriangleId t, TriangleId u) {
-  const auto renumbered = [&](SideId s) {
-    const TriangleId at = triangle(s);
-    return side(at == t ? u : at == u ? t : at, number(s));
-  };
-  std::array<SideId, 3> behind_t, behind_u;
-  for (unsigned i = 0; i < 3; ++i) {
-    behind_t[i] = renumbered(twin(side(t, i)));
-    behind_u[i] = renumbered(twin(side(u, i)));
-  }
-  std::swap(corners_[t.index()], corners_[u.index()]);
-  for (unsigned i = 0; i < 3; ++i) {
-    link(side(t, i), behind_u[i]);
-    link(side(u, i), behind_t[i]);
-  }
-}
-
-std::size_t GhostTriangulation::move_ghosts_last() {
-  std::size_t begin = 0, end = triangle_count();
-  while (true) {
-    while (begin < end && !is_ghost(TriangleId::from(begin))) ++begin;
-    while (begin < end && is_ghost(TriangleId::from(end - 1))) --end;
-    if (begin == end) return begin;
-    swap_triangles(TriangleId::from(begin), TriangleId::from(end - 1));
-  }
-}
-
 void GhostTriangulation::erase(TriangleId t) {
   const TriangleId last = TriangleId::from(triangle_count() - 1);
   if (t != last) {

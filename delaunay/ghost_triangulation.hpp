@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "leonhard/delaunay/release.hpp"
 #include "leonhard/mesh/id.hpp"
 
 namespace leonhard::delaunay {
@@ -86,10 +87,6 @@ class GhostTriangulation {
   void set_first_triangle(TriangleId t, VertexId a, VertexId b, VertexId c);
   /// Vertex v becomes number_of[v]; the ghost stays.
   void renumber_vertices(std::span<const std::uint32_t> number_of);
-  /// Triangles change places until all ghosts come after all real ones. Cost O(triangles) to look for them, O(ghosts) to
-  /// move them.
-  /// returns  how many are real
-  std::size_t move_ghosts_last();
 
   /// Replace the diagonal s of a quadrilateral of real triangles by the other one. Afterwards s and its twin are
   /// other sides; the sides around are renumbered as told.
@@ -102,7 +99,7 @@ class GhostTriangulation {
 
   /// The corners of all triangles; nothing of the triangulation stays.
   [[nodiscard]] std::vector<std::array<VertexId, 3>> take_corners() && {
-    twins_ = {};
+    release(twins_);
     return std::move(corners_);
   }
 
@@ -111,8 +108,6 @@ class GhostTriangulation {
   [[nodiscard]] std::optional<std::string> validate() const;
 
  private:
-  void swap_triangles(TriangleId t, TriangleId u);
-
   std::vector<std::array<VertexId, 3>> corners_;
   std::vector<SideId> twins_;
 };

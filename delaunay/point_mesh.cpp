@@ -2,12 +2,14 @@
 #include "leonhard/delaunay/point_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 
 #include "leonhard/delaunay/parallel.hpp"
+#include "leonhard/delaunay/release.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -40,33 +42,50 @@ std::vector<Point2> vertex_points(std::vector<Point2> input, const std::vector<M
   return input;
 }
 
-/// The edges of the hull; its ghosts are the triangles from `ghosts` on.
-std::vector<MarkedEdge> hull_edges(const GhostTriangulation& cells, std::size_t ghosts,
-                                   std::span<const std::uint32_t> number_of) {
-  const auto number = [&](TriangleId g, unsigned i) {
-    return VertexId{number_of[cells.corner(g, i).index()]};
+/// One a triangle: its number among the real ones, none for a ghost.
+std::vector<MaybeId<TriangleId>> real_numbers(const GhostTriangulation& cells) {
+  std::vector<MaybeId<TriangleId>> number(cells.triangle_count());
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < number.size(); ++t)
+    if (!cells.is_ghost(TriangleId::from(t))) number[t] = TriangleId::from(count++);
+  return number;
+}
+
+std::vector<MarkedEdge> hull_edges(const GhostTriangulation& cells,
+                                   std::span<const std::uint32_t> vertex_number) {
+  const auto vertex = [&](TriangleId g, unsigned i) {
+    return VertexId{vertex_number[cells.corner(g, i).index()]};
   };
-  TriangleId first = TriangleId::from(ghosts);
-  for (std::size_t g = ghosts; g < cells.triangle_count(); ++g)
-    if (number(TriangleId::from(g), 2) < number(first, 2)) first = TriangleId::from(g);
+  MaybeId<TriangleId> first;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cells.triangle_count(); ++i) {
+    const TriangleId t = TriangleId::from(i);
+    if (!cells.is_ghost(t)) continue;
+    ++count;
+    if (!first || vertex(t, 2) < vertex(*first, 2)) first = t;
+  }
   std::vector<MarkedEdge> boundary;
-  boundary.reserve(cells.triangle_count() - ghosts);
-  TriangleId g = first;
-  do {
-    boundary.push_back({number(g, 2), number(g, 1), 1});
-    g = cells.triangle(cells.twin(cells.side(g, 2)));
-  } while (g != first);
+  boundary.reserve(count);
+  for (TriangleId g = *first; boundary.size() < count; g = cells.triangle(cells.twin(cells.side(g, 2))))
+    boundary.push_back({vertex(g, 2), vertex(g, 1), 1});
   return boundary;
 }
 
-/// Run body(t) for all triangles below count, in slices.
-template <class Body>
-void for_triangles(std::size_t count, unsigned threads, const Body& body) {
+/// TriangleMesh's neighbours of the `count` real triangles.
+PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours_of(const GhostTriangulation& cells,
+                                                                    std::size_t count, unsigned threads) {
+  PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours(count);
+  const std::vector<MaybeId<TriangleId>> number = real_numbers(cells);
   constexpr std::size_t slice_size = std::size_t{1} << 15;
-  parallel_for_blocks((count + slice_size - 1) / slice_size, threads, [&](std::size_t slice) {
-    for (std::size_t t = slice * slice_size; t < std::min(count, (slice + 1) * slice_size); ++t)
-      body(TriangleId::from(t));
+  parallel_for_blocks((number.size() + slice_size - 1) / slice_size, threads, [&](std::size_t slice) {
+    const std::size_t last = std::min(number.size(), (slice + 1) * slice_size);
+    for (std::size_t t = slice * slice_size; t < last; ++t)
+      for (unsigned i = 0; number[t] && i < 3; ++i) {
+        const SideId behind = cells.twin(cells.side(TriangleId::from(t), i));
+        neighbours[*number[t]][i] = number[cells.triangle(behind).index()];
+      }
   });
+  return neighbours;
 }
 
 }  // namespace
@@ -76,27 +95,21 @@ PointMesh to_mesh(GhostTriangulation cells, SortedPoints sorted, std::vector<Poi
   PointMesh result;
   TriangleMesh& mesh = result.mesh;
   result.vertex_of_input = vertices_of_input(sorted);
-  sorted.sorted_index = {};
+  release(sorted.sorted_index);
   std::vector<std::uint32_t> number_of = std::move(sorted.first_input);
   const std::size_t vertices = number_of.size();
   if (vertices < input.size())
     for (std::uint32_t& i : number_of) i = static_cast<std::uint32_t>((*result.vertex_of_input[i]).raw);
   mesh.points.flat() = vertex_points(std::move(input), result.vertex_of_input, vertices);
 
-  const std::size_t count = cells.move_ghosts_last();
-  mesh.boundary = hull_edges(cells, count, number_of);
-  mesh.neighbours.resize(count);
-  for_triangles(count, threads, [&](TriangleId t) {
-    for (unsigned i = 0; i < 3; ++i) {
-      const TriangleId behind = cells.triangle(cells.twin(cells.side(t, i)));
-      if (behind.index() < count) mesh.neighbours[t][i] = behind;
-    }
-  });
-  mesh.corners.flat() = std::move(cells).take_corners();
-  mesh.corners.resize(count);
-  for_triangles(count, threads, [&](TriangleId t) {
-    for (VertexId& v : mesh.corners[t]) v = VertexId{number_of[v.index()]};
-  });
+  mesh.boundary = hull_edges(cells, number_of);
+  const std::size_t count = cells.triangle_count() - mesh.boundary.size();
+  mesh.neighbours = neighbours_of(cells, count, threads);
+  auto& corners = mesh.corners.flat() = std::move(cells).take_corners();
+  std::erase_if(corners, [](const auto& triangle) { return triangle[0] == GhostTriangulation::ghost; });
+  for (auto& triangle : corners)
+    for (VertexId& v : triangle) v = VertexId{number_of[v.index()]};
+  release(number_of);
   mesh.regions.resize(count, 0);
   mesh.vertex_markers.resize(vertices, 0);
   return result;

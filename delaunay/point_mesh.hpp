@@ -21,7 +21,7 @@ struct PointMesh {
 /// sorted  of `input`; its points may be gone
 /// input   becomes the mesh's points
 /// threads  0: as many as there are cores; the answer does not depend on it
-/// Memory is given back as soon as it is not needed: at most 84 bytes a point beyond `input` with what is taken over.
+/// Memory is given back as soon as it is not needed: at most 90 bytes a point beyond `input` with what is taken over.
 [[nodiscard]] PointMesh to_mesh(GhostTriangulation cells, SortedPoints sorted, std::vector<Point2> input,
                                 unsigned threads);
 

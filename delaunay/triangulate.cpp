@@ -6,6 +6,7 @@
 
 #include "leonhard/delaunay/domain.hpp"
 #include "leonhard/delaunay/point_mesh.hpp"
+#include "leonhard/delaunay/release.hpp"
 #include "leonhard/delaunay/sorted_triangulation.hpp"
 #include "leonhard/mesh/validate.hpp"
 
@@ -27,7 +28,7 @@ Triangulation triangulate_points(Pslg pslg, const TriangulateOptions& options) {
     result.vertex_of_input.resize(pslg.points.size());
     return result;
   }
-  made.sorted.points = {};
+  release(made.sorted.points);
   PointMesh mesh = to_mesh(std::move(made.cells.triangulation), std::move(made.sorted),
                            std::move(pslg.points), options.threads);
   result.mesh = std::move(mesh.mesh);
