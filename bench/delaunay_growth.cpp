@@ -3,9 +3,10 @@
 // the structural changes of Barth's figure 3.3.8 in its bad order and in random ones; the scopes of the
 // triangles that randomised insertion makes, expected and measured.
 //
-//   bench_growth [N [SECONDS]]    N = 5 unless told; an algorithm is not run where it would take longer than
-//   SECONDS, 60
-//                                 unless told, by its growth so far
+//   bench_growth [N [SECONDS]]
+//
+// N is 5 unless told. An algorithm is not run where it would take longer than SECONDS, 60 unless told, by its
+// growth so far.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -15,11 +16,11 @@
 #include <cstdlib>
 #include <functional>
 #include <numeric>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/point_sets.hpp"
 #include "leonhard/delaunay/delaunay_tree.hpp"
 #include "leonhard/delaunay/green_sibson.hpp"
 #include "leonhard/delaunay/insertion_order.hpp"
@@ -27,12 +28,12 @@
 #include "leonhard/delaunay/triangulate.hpp"
 #include "leonhard/delaunay/watson.hpp"
 
+namespace benching = leonhard::benching;
 namespace d = leonhard::delaunay;
-using leonhard::Point2;
+using benching::Points;
+using benching::PointSet;
 
 namespace {
-
-using Points = std::vector<Point2>;
 
 double seconds(const std::function<void()>& work) {
   using Clock = std::chrono::steady_clock;
@@ -52,68 +53,7 @@ double shortest(const std::function<void()>& work) {
   return best;
 }
 
-// ---- points ----
-
-double unit(std::mt19937_64& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
-
-Points uniform(std::size_t n) {
-  std::mt19937_64 random(1);
-  Points points(n);
-  for (Point2& p : points) p = {unit(random), unit(random)};
-  return points;
-}
-
-Points clusters(std::size_t n) {
-  std::mt19937_64 random(2);
-  std::normal_distribution<double> normal(0, 0.01);
-  const Points centres = uniform(100);
-  Points points(n);
-  for (std::size_t i = 0; i < n; ++i)
-    points[i] = {centres[i % 100].x + normal(random), centres[i % 100].y + normal(random)};
-  return points;
-}
-
-Points grid(std::size_t n) {
-  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
-  Points points;
-  for (std::size_t i = 0; i < side * side; ++i)
-    points.push_back({static_cast<double>(i % side), static_cast<double>(i / side)});
-  return points;
-}
-
-Points circle(std::size_t n) {
-  Points points(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle_rad = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
-    points[i] = {std::cos(angle_rad), std::sin(angle_rad)};
-  }
-  return points;
-}
-
-Points parabola(std::size_t n) {
-  Points points(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = 2 * static_cast<double>(i) / static_cast<double>(n) - 1;
-    points[i] = {x, x * x};
-  }
-  return points;
-}
-
-/// Figure 3.3.8: a column, then a row to its right that comes nearer and nearer.
-Points column_and_row(std::size_t n) {
-  Points points;
-  const auto step = [&](std::size_t i) { return 2 * static_cast<double>(i) / static_cast<double>(n); };
-  for (std::size_t i = 0; i < n / 2; ++i) points.push_back({0, 2 * step(i) - 1});
-  for (std::size_t i = 0; i < n / 2; ++i) points.push_back({3 - step(i), 0});
-  return points;
-}
-
 // ---- time a point ----
-
-struct Set {
-  const char* name;
-  Points (*make)(std::size_t);
-};
 
 /// The time that a run ten times as large would take, by the growth of the last two.
 double next_time(const std::vector<double>& times) {
@@ -122,7 +62,7 @@ double next_time(const std::vector<double>& times) {
   return last * std::max(10.0, last / before);
 }
 
-void print_times(const d::NamedAlgorithm& named, const Set& set, unsigned max_exponent, double limit) {
+void print_times(const d::NamedAlgorithm& named, const PointSet& set, unsigned max_exponent, double limit) {
   std::printf("| %s | %s |", set.name, std::string(named.name).c_str());
   d::TriangulateOptions options;
   options.algorithm = named.algorithm;
@@ -132,7 +72,7 @@ void print_times(const d::NamedAlgorithm& named, const Set& set, unsigned max_ex
       std::printf(" cut |");
       continue;
     }
-    const Points points = set.make(static_cast<std::size_t>(std::pow(10, exponent) + 0.5));
+    const Points points = set.points(static_cast<std::size_t>(std::pow(10, exponent) + 0.5));
     times.push_back(shortest([&] { (void)d::triangulate(points, options); }));
     std::printf(" %.3f |", 1e6 * times.back() / static_cast<double>(points.size()));
   }
@@ -148,12 +88,20 @@ void print_growth(unsigned max_exponent, double limit) {
   std::printf("\n|---|---|");
   for (unsigned exponent = 3; exponent <= max_exponent; ++exponent) std::printf("---:|");
   std::printf("\n");
-  for (const Set& set : {Set{"uniform", uniform}, Set{"clusters", clusters}, Set{"grid", grid},
-                         Set{"circle", circle}, Set{"parabola", parabola}})
+  for (const PointSet& set : benching::point_sets)
     for (const d::NamedAlgorithm& named : d::named_algorithms) print_times(named, set, max_exponent, limit);
 }
 
 // ---- figure 3.3.8 ----
+
+/// Figure 3.3.8: a column, then a row to its right that comes nearer and nearer.
+Points column_and_row(std::size_t n) {
+  Points points;
+  const auto step = [&](std::size_t i) { return 2 * static_cast<double>(i) / static_cast<double>(n); };
+  for (std::size_t i = 0; i < n / 2; ++i) points.push_back({0, 2 * step(i) - 1});
+  for (std::size_t i = 0; i < n / 2; ++i) points.push_back({3 - step(i), 0});
+  return points;
+}
 
 std::vector<std::uint32_t> as_given(std::size_t n) {
   std::vector<std::uint32_t> order(n);
@@ -195,7 +143,7 @@ void print_figure_3_3_8() {
 
 void print_scopes() {
   constexpr std::size_t n = 60, draws = 1000;
-  const Points sites = uniform(n);
+  const Points sites = benching::uniform_points(n);
   const std::vector<std::size_t> existing = d::triangles_of_scope(sites);
   std::vector<double> seen(existing.size(), 0);
   for (std::uint64_t seed = 1; seed <= draws; ++seed)

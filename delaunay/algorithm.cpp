@@ -22,16 +22,16 @@ PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorith
   switch (algorithm) {
     case Algorithm::fast:
       return triangulate_fast(points, options);
-    case Algorithm::watson:
-      return triangulate_watson(points, options);
-    case Algorithm::randomized:
-      return triangulate_randomized(points, options);
-    case Algorithm::bowyer:
-      return triangulate_bowyer(points, options);
-    case Algorithm::green_sibson:
-      return triangulate_green_sibson(points, options);
     case Algorithm::divide_and_conquer:
       return triangulate_divide_and_conquer(points, options);
+    case Algorithm::bowyer:
+      return triangulate_bowyer(points, options);
+    case Algorithm::watson:
+      return triangulate_watson(points, options);
+    case Algorithm::green_sibson:
+      return triangulate_green_sibson(points, options);
+    case Algorithm::randomized:
+      return triangulate_randomized(points, options);
     case Algorithm::lawson:
       return triangulate_lawson(points, options);
   }

@@ -24,11 +24,11 @@ enum class TriangulateOutcome {
 /// kernel::incircle_perturbed.
 enum class Algorithm {
   fast,                ///< the default
+  divide_and_conquer,  ///< halves merged by a rising bubble (Barth's notes 3.3a)
+  bowyer,              ///< incremental, on the Voronoi diagram (Barth's notes 3.3b)
   watson,              ///< incremental: cavities of circumcircles (Barth's notes 3.3b)
   green_sibson,        ///< incremental: forward swapping (Barth's notes 3.3b)
-  divide_and_conquer,  ///< halves merged by a rising bubble (Barth's notes 3.3a)
   randomized,          ///< incremental in random order, with the Delaunay tree (Barth's notes 3.3c)
-  bowyer,              ///< incremental, on the Voronoi diagram (Barth's notes 3.3b)
   lawson,              ///< edges swapped globally after a sweep (Barth's notes 3.3d); O(n^2) at worst
 };
 
@@ -39,11 +39,11 @@ struct NamedAlgorithm {
 };
 inline constexpr std::array named_algorithms{
     NamedAlgorithm{"fast", Algorithm::fast},
-    NamedAlgorithm{"watson", Algorithm::watson},
-    NamedAlgorithm{"randomized", Algorithm::randomized},
-    NamedAlgorithm{"bowyer", Algorithm::bowyer},
-    NamedAlgorithm{"green-sibson", Algorithm::green_sibson},
     NamedAlgorithm{"divide-and-conquer", Algorithm::divide_and_conquer},
+    NamedAlgorithm{"bowyer", Algorithm::bowyer},
+    NamedAlgorithm{"watson", Algorithm::watson},
+    NamedAlgorithm{"green-sibson", Algorithm::green_sibson},
+    NamedAlgorithm{"randomized", Algorithm::randomized},
     NamedAlgorithm{"lawson", Algorithm::lawson},
 };
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);

@@ -52,12 +52,6 @@ std::vector<Corners> real_triangles(const PointTriangulation& of, std::span<cons
   return all;
 }
 
-std::vector<Point2> distinct(std::vector<Point2> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
 TEST_CASE("every_algorithm_gives_the_same_fingerprint_of_shuffled_points") {
   for (const shapes::NamedPoints& set : all_sets()) {
     CAPTURE(set.name);
@@ -77,7 +71,7 @@ TEST_CASE("every_algorithm_gives_the_same_fingerprint_of_shuffled_points") {
 TEST_CASE("every_algorithm_gives_the_same_triangles_of_points_in_any_order") {
   for (const shapes::NamedPoints& set : all_sets()) {
     CAPTURE(set.name);
-    const std::vector<Point2> sorted = distinct(set.points), shuffled = shapes::shuffled(sorted, 3);
+    const std::vector<Point2> sorted = shapes::distinct(set.points), shuffled = shapes::shuffled(sorted, 3);
     const std::vector<Corners> expected =
         real_triangles(delaunay::triangulate_distinct(sorted, delaunay::Algorithm::fast, {}), sorted);
     for (const NamedAlgorithm& named : named_algorithms) {

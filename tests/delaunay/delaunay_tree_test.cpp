@@ -52,16 +52,10 @@ bool holds(const DelaunayTree& tree, const Location& at, Point2 p) {
   return false;
 }
 
-std::vector<Point2> distinct(std::vector<Point2> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
 TEST_CASE("the_tree_locates_every_point_exactly") {
   for (const shapes::NamedPoints& family : shapes::families()) {
     CAPTURE(family.name);
-    const DelaunayTree tree(distinct(family.points));
+    const DelaunayTree tree(shapes::distinct(family.points));
     REQUIRE(tree.outcome() == delaunay::TriangulateOutcome::done);
     for (const Point2 p : queries(tree.points())) REQUIRE(holds(tree, tree.locate(p), p));
   }
@@ -70,7 +64,7 @@ TEST_CASE("the_tree_locates_every_point_exactly") {
 TEST_CASE("the_tree_finds_the_nearest_site_and_the_first_of_equally_near_ones") {
   for (const shapes::NamedPoints& family : shapes::families()) {
     CAPTURE(family.name);
-    const DelaunayTree tree(shapes::shuffled(distinct(family.points), 7));
+    const DelaunayTree tree(shapes::shuffled(shapes::distinct(family.points), 7));
     for (const Point2 p : queries(tree.points())) {
       Point2 nearest = tree.points()[0];
       for (const Point2 q : tree.points()) {

@@ -174,6 +174,13 @@ inline std::vector<NamedPoints> families() {
   return all;
 }
 
+/// In lexicographic order, each once.
+inline std::vector<Point2> distinct(std::vector<Point2> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
 template <class T>
 std::vector<T> shuffled(std::vector<T> values, std::uint64_t seed) {
   std::mt19937_64 random(seed);
