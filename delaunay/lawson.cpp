@@ -26,8 +26,11 @@ template <class Criterion>
 SwapReport settle(EdgeSwapper<Criterion>& swapper, const SwapOptions& options) {
   constexpr std::size_t poll = 4096;
   for (std::size_t steps = 0; swapper.suspect_count() > 0; ++steps) {
-    if (steps % poll == 0 && options.progress.stop_requested())
-      return {SwapOutcome::stopped, swapper.swaps()};
+    if (steps % poll == 0) {
+      options.progress("swap",
+                       static_cast<double>(steps) / static_cast<double>(steps + swapper.suspect_count()));
+      if (options.progress.stop_requested()) return {SwapOutcome::stopped, swapper.swaps()};
+    }
     if (swapper.swaps() >= options.max_swaps) return {SwapOutcome::swap_limit, swapper.swaps()};
     swapper.step();
   }

@@ -28,7 +28,7 @@ struct [[nodiscard]] SwapReport {
 
 struct SwapOptions {
   std::size_t max_swaps = std::numeric_limits<std::size_t>::max();
-  Progress progress;
+  Progress progress;  ///< every 4096 edges; fraction: edges looked at, of these and the suspects left
   /// Edges that may not be swapped, by one of their sides. Empty: none.
   std::function<bool(const GhostTriangulation&, SideId)> is_fixed;
 };
@@ -60,7 +60,8 @@ SwapReport swap_edges(TriangleMesh& mesh, const SwapCriterion& criterion, const 
 /// triangulate_by_sweep, with edges swapped by the Delaunay criterion as soon as they arise.
 ///
 /// points  distinct and finite, in any order
-/// Cost O(n^2) at worst.
+/// Cost O(n^2) at worst, for points on two parallel lines for example; nearly O(n log n) for points at
+/// random.
 [[nodiscard]] PointTriangulation triangulate_lawson(std::span<const Point2> points,
                                                     const AlgorithmOptions& options = {});
 

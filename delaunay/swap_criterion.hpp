@@ -66,7 +66,7 @@ struct MinEdgeLength {
 /// everywhere, as only +, -, * and / enter. A swap that would need a number beyond the largest double is not
 /// made.
 struct MinRoughness {
-  std::span<const double> values;  ///< one a point
+  std::span<const double> values;  ///< one a point; must outlive the criterion
   static constexpr bool implies_convex = false;
   static constexpr bool looks_around = false;
   [[nodiscard]] bool improves(const GhostTriangulation& in, std::span<const Point2> points, SideId s) const;
@@ -74,12 +74,12 @@ struct MinRoughness {
 
 /// Data-dependent: the surface of the piecewise linear function is to bend as little as can be over its
 /// edges. The cost of an edge is the distance between the ends of the two unit normals on its sides, 2 sin of
-/// half the angle between these (Dyn, Levin and Rippa, IMA Journal of Numerical Analysis 10, 1990, take the
-/// angle itself, which the same swaps of one edge alone make smaller, but no two machines round alike).
+/// half the angle between them: it grows with the angle, which Dyn, Levin and Rippa take (IMA Journal of
+/// Numerical Analysis 10, 1990), and needs no function but the square root, so that all machines round alike.
 /// Objective: the exact sum of all edges' costs, each a double, gets smaller. A swap that would need a number
 /// beyond the largest double is not made.
 struct AngleBetweenNormals {
-  std::span<const double> values;  ///< one a point
+  std::span<const double> values;  ///< one a point; must outlive the criterion
   static constexpr bool implies_convex = false;
   static constexpr bool looks_around = true;
   [[nodiscard]] bool improves(const GhostTriangulation& in, std::span<const Point2> points, SideId s) const;
