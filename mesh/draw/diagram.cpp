@@ -152,12 +152,19 @@ class DiagramPicture {
                  {.across = 0.5, .colour = words.colour});
   }
 
+  /// The title in the middle above the frame, smaller where it would not fit.
+  void write_title() {
+    TextStyle style{.size = title_size, .bold = true, .across = 0.5};
+    style.size *= std::min(1.0, frame_.area.width / canvas_.text_width(diagram_.title, style));
+    const double x = frame_.area.left + frame_.area.width / 2;
+    canvas_.text({x, frame_.area.top - 0.9 * canvas_.text_size()}, diagram_.title, style);
+  }
+
   void finish() {
     if (diagram_.axes) {
       draw_axes(canvas_, frame_, {diagram_.title, "x", "y"});
     } else if (!diagram_.title.empty()) {
-      canvas_.text({frame_.area.left + frame_.area.width / 2, frame_.area.top - 0.9 * canvas_.text_size()},
-                   diagram_.title, {.size = title_size, .bold = true, .across = 0.5});
+      write_title();
     }
     if (!bands_) return;
     draw_colour_bar(
