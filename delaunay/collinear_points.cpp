@@ -7,7 +7,8 @@
 
 namespace leonhard::delaunay {
 
-/// The foot lies beyond a if the angle at a, between the ray to the last point and that to the foot's origin, is acute.
+/// The foot lies beyond a if the angle at a, between the ray to the last point and that to the foot's origin,
+/// is acute.
 bool CollinearPoints::Order::operator()(Point2 a, const Foot& foot) const {
   return a != foot.last && kernel::angle(foot.of, a, foot.last) == Sign::positive;
 }

@@ -10,7 +10,8 @@
 
 namespace leonhard::delaunay {
 
-/// Vertices on one line, or fewer than two, in lexicographic order: the triangulation of points that span no triangle.
+/// Vertices on one line, or fewer than two, in lexicographic order: the triangulation of points that span no
+/// triangle.
 class CollinearPoints {
   /// The foot of a perpendicular to the line, compared with points on it without being computed.
   struct Foot {

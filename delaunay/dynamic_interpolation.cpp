@@ -65,7 +65,8 @@ PointLocation::Kind DynamicTriangulation::find_natural_weights(Point2 p, Search&
     weigh(p, at, search.weights);
     return at.kind;
   }
-  // On an edge, start from the same one of its triangles whatever the way here was: sums are the same to the bit.
+  // On an edge, start from the same one of its triangles whatever the way here was: sums are the same to the
+  // bit.
   const SideId twin = triangles_.twin(found.side);
   const SideId side = at.kind == PointLocation::Kind::on_edge ? std::min(found.side, twin) : found.side;
   search.cavity.start(triangles_, triangles_.triangle(side));

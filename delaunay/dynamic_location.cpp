@@ -51,32 +51,34 @@ DynamicTriangulation::Search DynamicTriangulation::search_for(Point2 p, MaybeId<
   return Search(hint && contains(*hint) ? hint : MaybeId<VertexId>{});
 }
 
-/// A real triangle to start from.
-TriangleId DynamicTriangulation::start_triangle(const Search& search) const {
-  const TriangleId t = triangles_.triangle(sides_[search.near ? *search.near : last_]);
+/// A real triangle at a vertex.
+TriangleId DynamicTriangulation::triangle_at(VertexId v) const {
+  const TriangleId t = triangles_.triangle(sides_[v]);
   return triangles_.is_ghost(t) ? triangles_.triangle(triangles_.twin(triangles_.side(t, 0))) : t;
 }
 
 /// The answer of walk. After a number of steps in vain the rest starts from a sample.
 TriangleId DynamicTriangulation::triangle_towards(Point2 p, Search& search) const {
-  constexpr int patience = 48;
-  TriangleId t = start_triangle(search);
+  constexpr int patience = 24;
+  TriangleId t = triangle_at(search.near ? *search.near : last_);
   if (walk_some(triangles_, points_.flat(), t, p, search.coin, patience)) return t;
-  return walk(triangles_, points_.flat(), sampled_triangle(p, t), p, search.coin);
+  const VertexId here = triangles_.corner(t, 1), sampled = sampled_vertex(p, here);
+  return walk(triangles_, points_.flat(), sampled == here ? t : triangle_at(sampled), p, search.coin);
 }
 
-/// Of n^(1/3) triangles drawn at random and `best`, all real, the one of which some corner is nearest to p.
-TriangleId DynamicTriangulation::sampled_triangle(Point2 p, TriangleId best) const {
-  const std::size_t count = triangles_.triangle_count();
-  const auto samples = static_cast<std::size_t>(std::cbrt(static_cast<double>(count)));
-  double nearest = rough_distance(points_[triangles_.corner(best, 1)], p);
+/// Of 2 n^(1/3) vertices drawn at random and `best`, the nearest to p. More would cost more than they save
+/// from the walk, whose steps wait for memory one after another.
+VertexId DynamicTriangulation::sampled_vertex(Point2 p, VertexId best) const {
+  const std::size_t bound = id_bound();
+  const auto samples = static_cast<std::size_t>(2 * std::cbrt(static_cast<double>(bound)));
+  double nearest = rough_distance(points_[best], p);
   std::uint64_t state = std::bit_cast<std::uint64_t>(p.x) ^ std::rotl(std::bit_cast<std::uint64_t>(p.y), 32);
   for (std::size_t i = 0; i < samples; ++i) {
-    const TriangleId t = TriangleId::from(next_random(state) % count);
-    const double distance = rough_distance(points_[triangles_.corner(t, 1)], p);
-    if (!(distance < nearest) || triangles_.is_ghost(t)) continue;
+    const VertexId v = VertexId::from(((next_random(state) >> 32) * bound) >> 32);
+    const double distance = rough_distance(points_[v], p);
+    if (!(distance < nearest)) continue;  // NaN where v is removed
     nearest = distance;
-    best = t;
+    best = v;
   }
   return best;
 }
@@ -128,9 +130,9 @@ bool DynamicTriangulation::is_nearer(Point2 p, VertexId a, VertexId b) const {
   return sign == Sign::negative || (sign == Sign::zero && points_[a] < points_[b]);
 }
 
-/// A vertex with no neighbour nearer to p has p in its Voronoi cell, so going to the nearest neighbour until there is
-/// none leads to the nearest vertex. Several equally near ones are corners of a convex polygon in an empty circle, whose
-/// sides are edges: they lead on to the lexicographically first.
+/// A vertex with no neighbour nearer to p has p in its Voronoi cell, so going to the nearest neighbour until
+/// there is none leads to the nearest vertex. Several equally near ones are corners of a convex polygon in an
+/// empty circle, whose sides are edges: they lead on to the lexicographically first.
 MaybeId<VertexId> DynamicTriangulation::nearest_vertex(Point2 p, Search& search) const {
   if (extent() != Extent::plane) return line_.nearest(p);
   const Location found = find(p, search);

@@ -37,7 +37,8 @@ void DynamicTriangulation::kill(VertexId v) {
   free_.push_back(v);
 }
 
-/// Whether all other vertices are collinear. They are neighbours of the star's centre then, and the only ones.
+/// Whether all other vertices are collinear. They are neighbours of the star's centre then, and the only
+/// ones.
 bool DynamicTriangulation::star_surrounds_a_line() const {
   const std::vector<Star::Link>& link = star_.link();
   const std::size_t neighbours = link.size() - (star_.has_ghost() ? 1 : 0);

@@ -63,8 +63,8 @@ struct Interpolated {
 [[nodiscard]] Interpolated interpolated(PointLocation::Kind where, std::span<const VertexWeight> weights,
                                         std::span<const double> values);
 
-/// The Delaunay triangulation of a point set that changes: points come and go in any order, and at any time the
-/// triangles are those that triangulate() would give for the points that are there, ties included
+/// The Delaunay triangulation of a point set that changes: points come and go in any order, and at any time
+/// the triangles are those that triangulate() would give for the points that are there, ties included
 /// (kernel::incircle_perturbed). No order, hint or number of threads enters.
 ///
 ///     delaunay::DynamicTriangulation sites(points);          // vertex i is point i unless points repeat
@@ -73,19 +73,20 @@ struct Interpolated {
 ///     if (const auto here = sites.locate({0.2, 0.3}, v); here.inside()) ...
 ///     sites.remove(v);
 ///
-/// Vertex ids are stable: while a vertex lives its id does not change. A removed vertex's id means nothing until a later
-/// insertion takes it for its own. Views and spans are valid until the next change.
+/// Vertex ids are stable: while a vertex lives its id does not change. A removed vertex's id means nothing
+/// until a later insertion takes it for its own. Views and spans are valid until the next change.
 ///
-/// No point, one point and points on one line are states like any other (extent()): the point that leaves the line makes
-/// the triangles, and removing the last one off a line takes them away.
+/// No point, one point and points on one line are states like any other (extent()): the point that leaves the
+/// line makes the triangles, and removing the last one off a line takes them away.
 ///
-/// Queries do not change anything, not even unseen, so any number of threads may query at once. A hint is any vertex
-/// thought to be near; it changes the time alone, and one that does not live is ignored. Without one, a query starts from the vertex last inserted or from the
-/// nearest of a few sampled triangles ("jump and walk": Mücke, Saias and Zhu, SoCG 1996), expected O(n^(1/3)) for
-/// points spread evenly; from a near hint it is O(1).
+/// Queries do not change anything, not even unseen, so any number of threads may query at once. A hint is any
+/// vertex thought to be near; it changes the time alone, and one that does not live is ignored. A walk that
+/// does not arrive soon starts again from the nearest of some vertices drawn at random ("jump and walk":
+/// Mücke, Saias and Zhu, SoCG 1996): expected O(n^(1/3)) for points spread evenly, O(1) from a near hint.
+/// Without a hint it starts from where something was changed last.
 ///
-/// throws  InputError on a point that is not finite and on a vertex that does not live, nothing changed; the same for
-///         points that are not finite in queries
+/// throws  InputError on a point that is not finite and on a vertex that does not live, nothing changed; the
+///         same for points that are not finite in queries
 /// Memory: 68 bytes a vertex, and a map's node for each vertex while all lie on one line.
 class DynamicTriangulation {
  public:
@@ -99,14 +100,17 @@ class DynamicTriangulation {
     VertexId vertex;
     bool is_new;  ///< false: the vertex was there, at the same coordinates (-0 equal to +0)
   };
-  /// Cost: location, and O(degree) expected O(1) for points in random order. Method: Bowyer 1981, Watson 1981 (Barth's
-  /// notes 3.3b) with a ghost vertex.
+  /// Cost: that of locate and O(degree), expected O(1) for points in random order; O(n) where the extent
+  /// becomes a plane. Method: Bowyer 1981 and Watson 1981 (Barth's notes 3.3b) with a ghost vertex.
   Inserted insert(Point2 p, MaybeId<VertexId> hint = {});
-  /// The vertices of many points, as inserting them one by one would leave them; equal points share one. Where there
-  /// was no vertex before, all ids are new: 0, 1, ... in the order of the points that made them, in O(n log n).
+  /// The vertices of many points, as inserting them one by one would leave them; equal points share one.
+  /// Where there was no vertex before, all ids are new: 0, 1, ... in the order of the points that made them,
+  /// in O(n log n).
   std::vector<VertexId> insert(std::span<const Point2> points, unsigned threads = 1);
-  /// Cost O(degree log degree). Method: the hole is filled with the triangles that are Delaunay for its corners
-  /// (Devillers, Int. J. Computational Geometry and Applications 12 (2002)), see Star.
+  /// The vertex may lie on the hull; its id may be given to a later insertion.
+  /// Cost O(degree log degree), O(n log n) where the extent becomes a line. Method: the hole is filled with
+  /// the triangles that are Delaunay for its corners (Devillers, Int. J. Computational Geometry and
+  /// Applications 12 (2002)), see Star.
   void remove(VertexId v);
   void clear();
 
@@ -124,8 +128,8 @@ class DynamicTriangulation {
   [[nodiscard]] EdgeView edges() const { return EdgeView(triangles_, line_); }
   [[nodiscard]] TriangleView triangles() const { return TriangleView(triangles_); }
   [[nodiscard]] NeighbourView neighbours(VertexId v) const;
-  /// The vertices on the boundary of the convex hull, those within its straight parts too, counter-clockwise from the
-  /// lexicographically first. All vertices in lexicographic order if they lie on one line.
+  /// The vertices on the boundary of the convex hull, those within its straight parts too, counter-clockwise
+  /// from the lexicographically first. All vertices in lexicographic order if they lie on one line.
   [[nodiscard]] std::vector<VertexId> hull() const;
 
   struct Mesh {
@@ -139,29 +143,30 @@ class DynamicTriangulation {
   // ---- Queries ----
 
   [[nodiscard]] PointLocation locate(Point2 p, MaybeId<VertexId> hint = {}) const;
-  /// The vertex nearest to p by exact comparison, of several equally near the lexicographically first; none if there is
-  /// no vertex.
+  /// The vertex nearest to p by exact comparison, of several equally near the lexicographically first; none
+  /// if there is no vertex.
   [[nodiscard]] MaybeId<VertexId> nearest_vertex(Point2 p, MaybeId<VertexId> hint = {}) const;
-  /// Sibson's weights: the shares of the Voronoi cell that p would have if it were inserted, by the cells that they are
-  /// cut from. On an edge of the hull and on a line the limit, linear between the edge's ends; on a vertex that
-  /// vertex alone.
-  /// Method: R. Sibson, "A brief description of natural neighbour interpolation" (1981); see sibson_weights for
-  /// accuracy. Cost: that of insert.
+  /// Sibson's weights: the shares of the Voronoi cell that p would have if it were inserted, by the cells
+  /// that they are cut from. On an edge of the hull and on a line the limit, linear between the edge's ends;
+  /// on a vertex that vertex alone.
+  /// Method: R. Sibson, "A brief description of natural neighbour interpolation" (1981); see sibson_weights
+  /// for accuracy. Cost: that of insert.
   [[nodiscard]] NaturalNeighbours natural_neighbours(Point2 p, MaybeId<VertexId> hint = {}) const;
   /// The value at p of the function that is linear on each triangle (each edge, on a line).
   ///
   /// values  one an id, values[v.index()] that of v; InputError if there are fewer than id_bound()
   [[nodiscard]] Interpolated interpolate_linear(Point2 p, std::span<const double> values,
                                                 MaybeId<VertexId> hint = {}) const;
-  /// The sum of the values times natural_neighbours(p).weights: continuous, smooth but at the vertices, and exact for
-  /// linear functions.
+  /// The sum of the values times natural_neighbours(p).weights: continuous, smooth but at the vertices, and
+  /// exact for linear functions.
   [[nodiscard]] Interpolated interpolate_natural_neighbour(Point2 p, std::span<const double> values,
                                                            MaybeId<VertexId> hint = {}) const;
 
   // ---- Many queries at once ----
   //
-  // The answers in the order of the points, equal to those of single queries. Points are visited along a Hilbert curve,
-  // each walk starting where the last one ended, in blocks that threads share; threads 0: as many as there are cores.
+  // The answers in the order of the points, equal to those of single queries. Points are visited along a
+  // Hilbert curve, each walk starting where the last one ended, in blocks that threads share; threads 0: as
+  // many as there are cores.
 
   [[nodiscard]] std::vector<PointLocation> locate(std::span<const Point2> points, unsigned threads = 0) const;
   [[nodiscard]] std::vector<MaybeId<VertexId>> nearest_vertices(std::span<const Point2> points,
@@ -173,10 +178,11 @@ class DynamicTriangulation {
                                                                         std::span<const double> values,
                                                                         unsigned threads = 0) const;
 
-  /// The first broken invariant in words, none if all hold: removed ids and coordinates agree; on a line, every vertex
-  /// is in its place and all are collinear; in the plane, the triangulation of the sphere is one, has 2 n - 2
-  /// triangles, every one real and counter-clockwise or a ghost, every vertex with one ring of triangles and a side of
-  /// its own, and every triangle is Delaunay with its neighbours, ties and hull included. Cost O(n log n).
+  /// The first broken invariant in words, none if all hold: removed ids and coordinates agree; on a line,
+  /// every vertex is in its place and all are collinear; in the plane, the triangulation of the sphere is
+  /// one, has 2 n - 2 triangles, every one real and counter-clockwise or a ghost, every vertex with one ring
+  /// of triangles and a side of its own, and every triangle is Delaunay with its neighbours, ties and hull
+  /// included. Cost O(n log n).
   [[nodiscard]] std::optional<std::string> validate() const;
 
  private:
@@ -190,9 +196,9 @@ class DynamicTriangulation {
   };
   [[nodiscard]] Search search_for(Point2 p, MaybeId<VertexId> hint) const;
 
-  [[nodiscard]] TriangleId start_triangle(const Search& search) const;
+  [[nodiscard]] TriangleId triangle_at(VertexId v) const;
   [[nodiscard]] TriangleId triangle_towards(Point2 p, Search& search) const;
-  [[nodiscard]] TriangleId sampled_triangle(Point2 p, TriangleId best) const;
+  [[nodiscard]] VertexId sampled_vertex(Point2 p, VertexId best) const;
   [[nodiscard]] Location find(Point2 p, Search& search) const;
   [[nodiscard]] PointLocation answer(Location found) const;
   [[nodiscard]] PointLocation locate_on_line(Point2 p) const;

@@ -63,7 +63,8 @@ std::optional<std::string> DynamicTriangulation::broken_topology() const {
   return std::nullopt;
 }
 
-/// Every vertex, the ghost too, has a side of its own, and the rings about them have every corner of every triangle.
+/// Every vertex, the ghost too, has a side of its own, and the rings about them have every corner of every
+/// triangle.
 std::optional<std::string> DynamicTriangulation::broken_ring() const {
   std::size_t corners = 0;
   const auto add_ring = [&](VertexId v, SideId first) {

@@ -10,8 +10,8 @@
 
 namespace leonhard::delaunay {
 
-/// One bit after another, without memory of the coordinates: keeps a walk from going round in a circle, which it
-/// could do in a triangulation that is not Delaunay. The answer of a walk does not depend on it.
+/// One bit after another, without memory of the coordinates: keeps a walk from going round in a circle, which
+/// it could do in a triangulation that is not Delaunay. The answer of a walk does not depend on it.
 class Coin {
  public:
   [[nodiscard]] unsigned flip() {
@@ -25,8 +25,8 @@ class Coin {
   std::uint32_t state_ = 0x9e3779b9;
 };
 
-/// The triangle that holds p, reached by a remembering visibility walk (Devillers, Pion and Teillaud 2002) from
-/// `from`, which is real; or a ghost triangle whose edge has p strictly on its outer side.
+/// The triangle that holds p, reached by a remembering visibility walk (Devillers, Pion and Teillaud 2002)
+/// from `from`, which is real; or a ghost triangle whose edge has p strictly on its outer side.
 ///
 /// The domain must be convex, or nothing may lie between `from` and p.
 [[nodiscard]] inline TriangleId walk(const GhostTriangulation& in, std::span<const Point2> points,
@@ -66,8 +66,8 @@ struct Location {
   SideId side;
 };
 
-/// Where p lies in a triangle that holds it; or outside, if the triangle is a ghost with p strictly to the left of its
-/// edge.
+/// Where p lies in a triangle that holds it; or outside, if the triangle is a ghost with p strictly to the
+/// left of its edge.
 [[nodiscard]] Location location_in(const GhostTriangulation& in, std::span<const Point2> points, TriangleId t,
                                    Point2 p);
 

@@ -6,18 +6,19 @@
 
 /// The few ways in which this room uses threads: oneTBB where LEONHARD_THREADS is on, plain loops otherwise.
 ///
-/// threads  0: as many as there are cores; never more than these. With 1 everything runs in the calling thread, in order.
+/// threads  0: as many as there are cores; never more than these. With 1 everything runs in the calling
+///          thread, in order.
 ///
-/// Which thread runs what is left open, so bodies write to places of their own only. If a body throws, one of the
-/// exceptions reaches the caller after the bodies that had begun have ended. Calls may be nested: each has its own
-/// limit.
+/// Which thread runs what is left open, so bodies write to places of their own only. If a body throws, one of
+/// the exceptions reaches the caller after the bodies that had begun have ended. Calls may be nested: each
+/// has its own limit.
 namespace leonhard::delaunay {
 
 /// How many threads a call with this argument uses at most: 1 or more.
 [[nodiscard]] unsigned thread_count(unsigned threads);
 
-/// Run body(0), ..., body(count - 1). A block should be worth some microseconds; what a block is must not depend on the
-/// number of threads where results are to be the same for any.
+/// Run body(0), ..., body(count - 1). A block should be worth some microseconds; what a block is must not
+/// depend on the number of threads where results are to be the same for any.
 void parallel_for_blocks(std::size_t count, unsigned threads,
                          const std::function<void(std::size_t block)>& body);
 

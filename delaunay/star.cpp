@@ -48,8 +48,9 @@ TriangleId Star::take(VertexId a, VertexId b, VertexId c) {
   return t;
 }
 
-/// Which vertex of link()[begin..end) makes a Delaunay triangle with the edge; end if none lies to its left. The
-/// circles through two points are ordered by what they hold of the half plane to the left, so one pass is enough.
+/// Which vertex of link()[begin..end) makes a Delaunay triangle with the edge; end if none lies to its left.
+/// The circles through two points are ordered by what they hold of the half plane to the left, so one pass is
+/// enough.
 std::size_t Star::apex(VertexId from, VertexId to, std::size_t begin, std::size_t end) const {
   const Point2 a = at(from), b = at(to);
   std::size_t best = end;
@@ -74,8 +75,8 @@ SideId Star::fill_chain(std::size_t first, std::size_t last) {
   return in_->side(t, 2);
 }
 
-/// Fill the hole behind link()[0], ..., the ghost. The first edge of what is left gets its triangle, a real one if any
-/// vertex lies to its left, until a single vertex is left.
+/// Fill the hole behind link()[0], ..., the ghost. The first edge of what is left gets its triangle, a real
+/// one if any vertex lies to its left, until a single vertex is left.
 void Star::fill_about_ghost() {
   constexpr VertexId ghost = GhostTriangulation::ghost;
   const std::size_t last = link_.size() - 2;
@@ -120,8 +121,8 @@ void Star::fill_from_whole() {
 
 /// Take over the triangles that lie on the hole's side of the link's edges.
 ///
-/// whole  the Delaunay triangulation of the link's vertices, numbered by their places in link(); its triangles within
-///        the hole are those that are wanted, so the link's edges are among its edges
+/// whole  the Delaunay triangulation of the link's vertices, numbered by their places in link(); its
+///        triangles within the hole are those that are wanted, so the link's edges are among its edges
 void Star::copy_part(const GhostTriangulation& whole) {
   const std::size_t n = link_.size();
   const std::size_t ghost_place = has_ghost() ? n - 1 : n;  // n: nowhere

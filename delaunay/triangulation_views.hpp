@@ -10,13 +10,15 @@
 #include "leonhard/delaunay/ghost_triangulation.hpp"
 #include "leonhard/kernel/point.hpp"
 
-/// What is iterated over in a DynamicTriangulation: a few pointers each, valid until the triangulation changes.
+/// What is iterated over in a DynamicTriangulation: a few pointers each, valid until the triangulation
+/// changes.
 namespace leonhard::delaunay {
 
 using VertexPair = std::array<VertexId, 2>;
 using VertexTriple = std::array<VertexId, 3>;
 
-/// What every forward iterator here has besides dereference and increment: the rest of its type, and equality.
+/// What every forward iterator here has besides dereference and increment: the rest of its type, and
+/// equality.
 template <class Derived, class Value>
 struct ViewIterator {
   using iterator_category = std::input_iterator_tag;  // operator* yields a value
@@ -132,7 +134,8 @@ class EdgeView {
     [[nodiscard]] SideId side() const {
       return GhostTriangulation::side(TriangleId::from(slot_ / 3), static_cast<unsigned>(slot_ % 3));
     }
-    /// An edge of two real triangles is shown by the side of the lower number, one of the hull by its real side.
+    /// An edge of two real triangles is shown by the side of the lower number, one of the hull by its real
+    /// side.
     [[nodiscard]] bool is_shown() const {
       if (in_->is_ghost(in_->triangle(side()))) return false;
       const SideId twin = in_->twin(side());

@@ -98,8 +98,8 @@ class StolenAreas {
     return circumcentre(difference<Number>(b, a), difference<Number>(c, a));
   }
 
-  /// Twice the area of the polygon between the bisector with p, on which lie the two new centres, and the old centres
-  /// about the origin of `out`; `in` is the border's side that ends there. Taken about the vertex.
+  /// Twice the area of the polygon between the bisector with p, on which lie the two new centres, and the old
+  /// centres about the origin of `out`; `in` is the border's side that ends there. Taken about the vertex.
   [[nodiscard]] Number area(SideId in, SideId out, const Vector<Number>& before,
                             const Vector<Number>& after) const {
     const Vector<Number> v = arm(in_.origin(out));

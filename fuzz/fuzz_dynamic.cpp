@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sequences of insertions, removals and queries from bytes, on small integer grids, nearly tenths and raw doubles: every
-// invariant after each step, queries against a look at all vertices, and at the end the triangles from scratch.
+// Sequences of insertions, removals and queries from bytes, on small integer grids, nearly tenths and raw
+// doubles: every invariant after each step, queries against a look at all vertices, and at the end the
+// triangles from scratch.
 #include <array>
 #include <cmath>
 #include <cstdint>

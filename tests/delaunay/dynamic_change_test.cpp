@@ -252,7 +252,8 @@ TEST_CASE("a_copy_lives_on_its_own") {
   require_same_from_scratch(sites);
 }
 
-/// Points that all become neighbours of the last one, within the hull or on it, far more than are filled directly.
+/// Points that all become neighbours of the last one, within the hull or on it, far more than are filled
+/// directly.
 std::vector<shapes::NamedPoints> hubs() {
   std::vector<shapes::NamedPoints> all;
   all.push_back({"within cocircular points", shapes::lattice_circle(5 * 13 * 17 * 29)});
