@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "leonhard/delaunay/large_vector.hpp"
 #include "leonhard/delaunay/parallel.hpp"
-#include "leonhard/delaunay/release.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -113,8 +113,8 @@ class CutSorter {
       : points_(points),
         threads_(threads),
         progress_(progress),
-        items_(points.size()),
-        scratch_(points.size()),
+        items_(large_vector<Item>(points.size())),
+        scratch_(large_vector<Item>(points.size())),
         cut_depth_(points.size()) {
     for (std::size_t i = 0; i < items_.size(); ++i) items_[i].index = static_cast<std::uint32_t>(i);
   }
@@ -240,7 +240,7 @@ CutOrder CutSorter::take() {
       sorted.sorted_index[items_[i].index] = static_cast<std::uint32_t>(distinct - 1);
     }
   }
-  sorted.points.resize(distinct);
+  sorted.points = large_vector<Point2>(distinct);
   sorted.first_input.resize(distinct);
   parallel_each(0, distinct, threads_, [&](std::size_t i) {
     sorted.first_input[i] = items_[i].index;

@@ -108,9 +108,10 @@ void copy_edges(const Domain& domain, const std::vector<MaybeId<VertexId>>& numb
 
 void check(const Pslg& pslg) {
   const std::size_t n = pslg.points.size();
-  const auto check_point = [&](const std::string& what, std::size_t i, Point2 p) {
+  const auto check_point = [&](const char* what, std::size_t i, Point2 p) {
     if (!is_finite(p))
-      throw InputError(pslg.source, what + " " + std::to_string(i) + " has the coordinates " + mesh::words(p),
+      throw InputError(pslg.source,
+                       std::string(what) + " " + std::to_string(i) + " has the coordinates " + mesh::words(p),
                        "give finite numbers (counted from 0)");
   };
   if (n > std::numeric_limits<std::uint32_t>::max() / 8)

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "leonhard/delaunay/release.hpp"
+#include "leonhard/delaunay/large_vector.hpp"
 #include "leonhard/mesh/id.hpp"
 
 namespace leonhard::delaunay {
@@ -31,7 +31,9 @@ class GhostTriangulation {
 
   GhostTriangulation() = default;
   /// That many triangles, yet without corners: for algorithms that know each triangle's number beforehand.
-  explicit GhostTriangulation(std::size_t triangles) : corners_(triangles), twins_(3 * triangles) {}
+  explicit GhostTriangulation(std::size_t triangles)
+      : corners_(large_vector<std::array<VertexId, 3>>(triangles)),
+        twins_(large_vector<SideId>(3 * triangles)) {}
 
   [[nodiscard]] static SideId side(TriangleId t, unsigned i) { return SideId{4 * t.raw + i}; }
   [[nodiscard]] static TriangleId triangle(SideId s) { return TriangleId{s.raw >> 2}; }

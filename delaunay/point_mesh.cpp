@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "leonhard/delaunay/large_vector.hpp"
 #include "leonhard/delaunay/parallel.hpp"
-#include "leonhard/delaunay/release.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -44,7 +44,7 @@ std::vector<Point2> vertex_points(std::vector<Point2> input, const std::vector<M
 
 /// One a triangle: its number among the real ones, none for a ghost.
 std::vector<MaybeId<TriangleId>> real_numbers(const GhostTriangulation& cells) {
-  std::vector<MaybeId<TriangleId>> number(cells.triangle_count());
+  auto number = large_vector<MaybeId<TriangleId>>(cells.triangle_count());
   std::size_t count = 0;
   for (std::size_t t = 0; t < number.size(); ++t)
     if (!cells.is_ghost(TriangleId::from(t))) number[t] = TriangleId::from(count++);
@@ -74,7 +74,8 @@ std::vector<MarkedEdge> hull_edges(const GhostTriangulation& cells,
 /// TriangleMesh's neighbours of the `count` real triangles.
 PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours_of(const GhostTriangulation& cells,
                                                                     std::size_t count, unsigned threads) {
-  PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours(count);
+  PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours(
+      large_vector<std::array<MaybeId<TriangleId>, 3>>(count));
   const std::vector<MaybeId<TriangleId>> number = real_numbers(cells);
   constexpr std::size_t slice_size = std::size_t{1} << 15;
   parallel_for_blocks((number.size() + slice_size - 1) / slice_size, threads, [&](std::size_t slice) {
@@ -110,7 +111,7 @@ PointMesh to_mesh(GhostTriangulation cells, SortedPoints sorted, std::vector<Poi
   for (auto& triangle : corners)
     for (VertexId& v : triangle) v = VertexId{number_of[v.index()]};
   release(number_of);
-  mesh.regions.resize(count, 0);
+  mesh.regions.flat() = large_vector<double>(count);
   mesh.vertex_markers.resize(vertices, 0);
   return result;
 }

@@ -6,7 +6,7 @@
 
 #include "leonhard/delaunay/domain.hpp"
 #include "leonhard/delaunay/point_mesh.hpp"
-#include "leonhard/delaunay/release.hpp"
+#include "leonhard/delaunay/large_vector.hpp"
 #include "leonhard/delaunay/sorted_triangulation.hpp"
 #include "leonhard/mesh/validate.hpp"
 

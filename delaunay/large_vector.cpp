@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/delaunay/large_vector.hpp"
+
+#include <cstdint>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace leonhard::delaunay {
+
+void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  constexpr std::size_t page = 4096, worth_it = std::size_t{8} << 20;
+  if (bytes < worth_it) return;
+  const std::size_t offset = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
+  // Refused where the system has no large pages: then small ones do.
+  static_cast<void>(
+      madvise(static_cast<char*>(memory) + offset, (bytes - offset) / page * page, MADV_HUGEPAGE));
+#endif
+}
+
+}  // namespace leonhard::delaunay
