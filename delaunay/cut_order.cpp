@@ -2,7 +2,7 @@
 #include "leonhard/delaunay/cut_order.hpp"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -21,15 +21,6 @@ struct Item {
 
 /// What one thread does at a time.
 constexpr std::size_t slice_size = std::size_t{1} << 15;
-
-/// Run body(i) for i in [begin, end), in slices.
-template <class Body>
-void parallel_each(std::size_t begin, std::size_t end, unsigned threads, const Body& body) {
-  parallel_for_blocks((end - begin + slice_size - 1) / slice_size, threads, [&](std::size_t slice) {
-    const std::size_t first = begin + slice * slice_size, last = std::min(first + slice_size, end);
-    for (std::size_t i = first; i < last; ++i) body(i);
-  });
-}
 
 /// Bit i moves to bit 2 i.
 std::uint32_t spread(std::uint32_t x) {
@@ -164,8 +155,8 @@ bool CutSorter::sort(std::size_t begin, std::size_t end, unsigned depth, unsigne
     sort_by_coordinates(begin, end, depth);
     return true;
   }
-  parallel_each(begin, end, threads_,
-                [&](std::size_t i) { items_[i].key = grid.key(points_[items_[i].index]); });
+  parallel_for_indices(begin, end, threads_,
+                       [&](std::size_t i) { items_[i].key = grid.key(points_[items_[i].index]); });
   const std::span items = std::span(items_).subspan(begin, n);
   constexpr std::size_t worth_counting = 4096;
   if (n < worth_counting) {
@@ -177,24 +168,38 @@ bool CutSorter::sort(std::size_t begin, std::size_t end, unsigned depth, unsigne
   return cut_between_cells(begin, end, bits, depth, nesting);
 }
 
-/// Items [begin, end) are sorted by their keys of 2 bits: put the cuts between different keys, and sort those that
-/// share one.
+/// Items [begin, end) are sorted by their keys of 2 `bits` bits: put the cuts between different keys, and sort those
+/// that share one.
 bool CutSorter::cut_between_cells(std::size_t begin, std::size_t end, unsigned bits, unsigned depth,
                                   unsigned nesting) {
-  std::uint32_t key_before = 0;
-  for (std::size_t first = begin; first < end;) {
-    const std::uint32_t key = items_[first].key;
-    std::size_t last = first + 1;
-    while (last < end && items_[last].key == key) ++last;
-    if (first > begin) {
-      const auto shared_bits = static_cast<unsigned>(std::countl_zero(key ^ key_before)) - (32 - 2 * bits);
-      cut_depth_[first] = static_cast<std::uint16_t>(depth + shared_bits);
-    }
-    if (last - first > 1 && !sort(first, last, depth + 2 * bits, nesting + 1)) return false;
-    key_before = key;
-    first = last;
+  // Slices that begin with a key; what lies before is looked up first, because sorting below overwrites keys.
+  struct Slice {
+    std::size_t first;
+    std::uint32_t key_before;
+  };
+  std::vector<Slice> slices{{begin, 0}};
+  for (std::size_t i = begin + slice_size; i < end; i = slices.back().first + slice_size) {
+    while (i < end && items_[i].key == items_[i - 1].key) ++i;
+    slices.push_back({i, items_[i - 1].key});
   }
-  return true;
+  std::atomic<bool> stopped{false};
+  parallel_for_blocks(slices.size(), threads_, [&](std::size_t k) {
+    std::uint32_t key_before = slices[k].key_before;
+    const std::size_t slice_end = k + 1 < slices.size() ? slices[k + 1].first : end;
+    for (std::size_t first = slices[k].first; first < slice_end && !stopped;) {
+      const std::uint32_t key = items_[first].key;
+      std::size_t last = first + 1;
+      while (last < slice_end && items_[last].key == key) ++last;
+      if (first > begin) {
+        const auto shared_bits = static_cast<unsigned>(std::countl_zero(key ^ key_before)) - (32 - 2 * bits);
+        cut_depth_[first] = static_cast<std::uint16_t>(depth + shared_bits);
+      }
+      if (last - first > 1 && !sort(first, last, depth + 2 * bits, nesting + 1)) stopped = true;
+      key_before = key;
+      first = last;
+    }
+  });
+  return !stopped;
 }
 
 /// Lexicographically, equal points by index; cut in halves by x.
@@ -227,7 +232,7 @@ CutOrder CutSorter::take() {
   sorted.sorted_index.resize(n);
   std::size_t distinct = 0;
   if (std::ranges::find(cut_depth_, same_point) == cut_depth_.end()) {
-    parallel_each(0, n, threads_, [&](std::size_t i) {
+    parallel_for_indices(0, n, threads_, [&](std::size_t i) {
       sorted.sorted_index[items_[i].index] = static_cast<std::uint32_t>(i);
     });
     distinct = n;
@@ -242,7 +247,7 @@ CutOrder CutSorter::take() {
   }
   sorted.points = large_vector<Point2>(distinct);
   sorted.first_input.resize(distinct);
-  parallel_each(0, distinct, threads_, [&](std::size_t i) {
+  parallel_for_indices(0, distinct, threads_, [&](std::size_t i) {
     sorted.first_input[i] = items_[i].index;
     sorted.points[i] = points_[items_[i].index];
   });

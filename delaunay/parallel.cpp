@@ -19,9 +19,8 @@ unsigned thread_count(unsigned threads) {
 }
 
 void parallel_for_blocks(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& body) {
-  const unsigned used = thread_count(threads);
-  if (used > 1 && count > 1) {
-    tbb::task_arena arena(static_cast<int>(used));
+  if (count > 1 && threads != 1) {
+    tbb::task_arena arena(static_cast<int>(thread_count(threads)));
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body); });
   } else {
     for (std::size_t block = 0; block < count; ++block) body(block);
@@ -29,9 +28,8 @@ void parallel_for_blocks(std::size_t count, unsigned threads, const std::functio
 }
 
 void parallel_invoke(unsigned threads, const std::function<void()>& f, const std::function<void()>& g) {
-  const unsigned used = thread_count(threads);
-  if (used > 1) {
-    tbb::task_arena arena(static_cast<int>(used));
+  if (threads != 1) {
+    tbb::task_arena arena(static_cast<int>(thread_count(threads)));
     arena.execute([&] { tbb::parallel_invoke(f, g); });
   } else {
     f();

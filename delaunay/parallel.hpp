@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -21,6 +22,16 @@ namespace leonhard::delaunay {
 /// depend on the number of threads where results are to be the same for any.
 void parallel_for_blocks(std::size_t count, unsigned threads,
                          const std::function<void(std::size_t block)>& body);
+
+/// Run body(i) for all i in [begin, end), in blocks of some ten thousand.
+template <class Body>
+void parallel_for_indices(std::size_t begin, std::size_t end, unsigned threads, const Body& body) {
+  constexpr std::size_t block_size = std::size_t{1} << 15;
+  parallel_for_blocks((end - begin + block_size - 1) / block_size, threads, [&](std::size_t block) {
+    const std::size_t first = begin + block * block_size, last = std::min(first + block_size, end);
+    for (std::size_t i = first; i < last; ++i) body(i);
+  });
+}
 
 /// Run two bodies at once. Within them, calls should share `threads` among themselves.
 void parallel_invoke(unsigned threads, const std::function<void()>& f, const std::function<void()>& g);

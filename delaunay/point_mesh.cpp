@@ -77,14 +77,11 @@ PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours_of(const GhostT
   PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours(
       large_vector<std::array<MaybeId<TriangleId>, 3>>(count));
   const std::vector<MaybeId<TriangleId>> number = real_numbers(cells);
-  constexpr std::size_t slice_size = std::size_t{1} << 15;
-  parallel_for_blocks((number.size() + slice_size - 1) / slice_size, threads, [&](std::size_t slice) {
-    const std::size_t last = std::min(number.size(), (slice + 1) * slice_size);
-    for (std::size_t t = slice * slice_size; t < last; ++t)
-      for (unsigned i = 0; number[t] && i < 3; ++i) {
-        const SideId behind = cells.twin(cells.side(TriangleId::from(t), i));
-        neighbours[*number[t]][i] = number[cells.triangle(behind).index()];
-      }
+  parallel_for_indices(0, number.size(), threads, [&](std::size_t t) {
+    for (unsigned i = 0; number[t] && i < 3; ++i) {
+      const SideId behind = cells.twin(cells.side(TriangleId::from(t), i));
+      neighbours[*number[t]][i] = number[cells.triangle(behind).index()];
+    }
   });
   return neighbours;
 }
@@ -107,9 +104,11 @@ PointMesh to_mesh(GhostTriangulation cells, SortedPoints sorted, std::vector<Poi
   const std::size_t count = cells.triangle_count() - mesh.boundary.size();
   mesh.neighbours = neighbours_of(cells, count, threads);
   auto& corners = mesh.corners.flat() = std::move(cells).take_corners();
+  parallel_for_indices(0, corners.size(), threads, [&](std::size_t t) {
+    if (corners[t][0] != GhostTriangulation::ghost)
+      for (VertexId& v : corners[t]) v = VertexId{number_of[v.index()]};
+  });
   std::erase_if(corners, [](const auto& triangle) { return triangle[0] == GhostTriangulation::ghost; });
-  for (auto& triangle : corners)
-    for (VertexId& v : triangle) v = VertexId{number_of[v.index()]};
   release(number_of);
   mesh.regions.flat() = large_vector<double>(count);
   mesh.vertex_markers.resize(vertices, 0);
