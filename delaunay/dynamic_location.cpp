@@ -59,7 +59,7 @@ TriangleId DynamicTriangulation::triangle_at(VertexId v) const {
 
 /// The answer of walk. After a number of steps in vain the rest starts from a sample.
 TriangleId DynamicTriangulation::triangle_towards(Point2 p, Search& search) const {
-  constexpr int patience = 24;
+  const int patience = search.near ? 48 : 16;
   TriangleId t = triangle_at(search.near ? *search.near : last_);
   if (walk_some(triangles_, points_.flat(), t, p, search.coin, patience)) return t;
   const VertexId here = triangles_.corner(t, 1), sampled = sampled_vertex(p, here);
