@@ -139,7 +139,7 @@ std::pair<Point2, Point2> CutSorter::bounding_box(std::size_t begin, std::size_t
 }
 
 bool CutSorter::sort(std::size_t begin, std::size_t end, unsigned depth, unsigned nesting) {
-  constexpr std::size_t few = 24;
+  constexpr std::size_t few = 64;
   constexpr unsigned deepest_nesting =
       8;  // beyond, points are sorted at a cost that does not depend on where they lie
   const std::size_t n = end - begin;
@@ -204,15 +204,21 @@ bool CutSorter::cut_between_cells(std::size_t begin, std::size_t end, unsigned b
 
 /// Lexicographically, equal points by index; cut in halves by x.
 void CutSorter::sort_by_coordinates(std::size_t begin, std::size_t end, unsigned depth) {
-  const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin),
-             last = items_.begin() + static_cast<std::ptrdiff_t>(end);
-  std::sort(first, last, [&](Item a, Item b) {
-    const Point2 p = points_[a.index], q = points_[b.index];
-    return p < q || (p == q && a.index < b.index);
+  struct Placed {
+    Point2 point;
+    std::uint32_t index;
+  };
+  std::vector<Placed> placed;  // side by side, because sorting looks at each many times
+  placed.reserve(end - begin);
+  for (std::size_t i = begin; i < end; ++i) placed.push_back({points_[items_[i].index], items_[i].index});
+  std::ranges::sort(placed, [](const Placed& p, const Placed& q) {
+    return p.point < q.point || (p.point == q.point && p.index < q.index);
   });
   halve(begin, end, depth);
-  for (std::size_t i = begin + 1; i < end; ++i)
-    if (points_[items_[i].index] == points_[items_[i - 1].index]) cut_depth_[i] = same_point;
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    items_[begin + k].index = placed[k].index;
+    if (k > 0 && placed[k].point == placed[k - 1].point) cut_depth_[begin + k] = same_point;
+  }
 }
 
 void CutSorter::halve(std::size_t begin, std::size_t end, unsigned depth) {

@@ -7,6 +7,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <fmt/format.h>
 #include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -87,6 +89,20 @@ void compare_memory(const char* name, const Points& points) {
              static_cast<double>(cgal_bytes) / n);
 }
 
+/// In a process of its own, in which nothing has been allocated before.
+void show_memory(std::size_t n) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child > 0) waitpid(child, nullptr, 0);
+  if (child != 0) return;
+  mallopt(M_MMAP_THRESHOLD, 1 << 17);  // what is freed goes back to the system, however large
+  fmt::print("peak memory beyond the input, bytes a point\n{:<10} {:>9} {:>9}\n", "points", "Leonhard",
+             "CGAL");
+  for (const benching::PointSet& set : benching::point_sets) compare_memory(set.name, set.points(n));
+  std::fflush(stdout);
+  _exit(0);
+}
+
 void show_growth(std::size_t largest, int turns) {
   fmt::print("\nuniform points, 1 thread\n{:>10} {:>12} {:>12}\n", "points", "us a point", "over 10^6's");
   double at_a_million = 0;
@@ -110,16 +126,12 @@ int main(int argc, char** argv) {
   const auto n = static_cast<std::size_t>(argument(1, 1'000'000));
   const auto threads = static_cast<unsigned>(argument(2, 2));
   const int turns = static_cast<int>(argument(3, 3));
-  fmt::print("{} points\n{:<10} {:^29}   {:^19}\n", n, "", "seconds", "over CGAL's");
+  show_memory(n);
+  fmt::print("\n{} points\n{:<10} {:^29}   {:^19}\n", n, "", "seconds", "over CGAL's");
   const std::string several = fmt::format("{} threads", threads);
   fmt::print("{:<10} {:>9} {:>9} {:>9}   {:>9} {:>9}   {}\n", "points", "1 thread", several, "CGAL",
              "1 thread", several, "same triangles");
   for (const benching::PointSet& set : benching::point_sets)
     compare_times(set.name, set.points(n), threads, turns);
   show_growth(10 * n, turns);
-  // What is freed goes back to the system, as in a program that triangulates once.
-  mallopt(M_MMAP_THRESHOLD, 1 << 17);
-  fmt::print("\npeak memory beyond the input, bytes a point\n{:<10} {:>9} {:>9}\n", "points", "Leonhard",
-             "CGAL");
-  for (const benching::PointSet& set : benching::point_sets) compare_memory(set.name, set.points(n));
 }
