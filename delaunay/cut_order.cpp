@@ -118,7 +118,7 @@ class CutSorter {
   bool sort(std::size_t begin, std::size_t end, unsigned depth, unsigned nesting);
   bool cut_between_cells(std::size_t begin, std::size_t end, unsigned bits, unsigned depth, unsigned nesting);
   void sort_by_coordinates(std::size_t begin, std::size_t end, unsigned depth);
-  void halve(std::size_t begin, std::size_t end, unsigned depth);
+  void halve(std::span<const std::size_t> starts, unsigned depth);
   [[nodiscard]] std::pair<Point2, Point2> bounding_box(std::size_t begin, std::size_t end) const;
 
   std::span<const Point2> points_;
@@ -186,6 +186,7 @@ bool CutSorter::cut_between_cells(std::size_t begin, std::size_t end, unsigned b
   parallel_for_blocks(slices.size(), threads_, [&](std::size_t k) {
     std::uint32_t key_before = slices[k].key_before;
     const std::size_t slice_end = k + 1 < slices.size() ? slices[k + 1].first : end;
+    if (progress_.stop_requested()) stopped = true;
     for (std::size_t first = slices[k].first; first < slice_end && !stopped;) {
       const std::uint32_t key = items_[first].key;
       std::size_t last = first + 1;
@@ -214,19 +215,24 @@ void CutSorter::sort_by_coordinates(std::size_t begin, std::size_t end, unsigned
   std::ranges::sort(placed, [](const Placed& p, const Placed& q) {
     return p.point < q.point || (p.point == q.point && p.index < q.index);
   });
-  halve(begin, end, depth);
+  std::vector<std::size_t> starts;  // of each place the first of its points
   for (std::size_t k = 0; k < placed.size(); ++k) {
     items_[begin + k].index = placed[k].index;
-    if (k > 0 && placed[k].point == placed[k - 1].point) cut_depth_[begin + k] = same_point;
+    if (k > 0 && placed[k].point == placed[k - 1].point)
+      cut_depth_[begin + k] = same_point;
+    else
+      starts.push_back(begin + k);
   }
+  halve(starts, depth);
 }
 
-void CutSorter::halve(std::size_t begin, std::size_t end, unsigned depth) {
-  if (end - begin < 2) return;
-  const std::size_t middle = begin + (end - begin) / 2;
-  cut_depth_[middle] = static_cast<std::uint16_t>(depth);
-  halve(begin, middle, depth + 2);
-  halve(middle, end, depth + 2);
+/// Cut before the middle one of items that begin a place, then both halves.
+void CutSorter::halve(std::span<const std::size_t> starts, unsigned depth) {
+  if (starts.size() < 2) return;
+  const std::size_t middle = starts.size() / 2;
+  cut_depth_[starts[middle]] = static_cast<std::uint16_t>(depth);
+  halve(starts.first(middle), depth + 2);
+  halve(starts.subspan(middle), depth + 2);
 }
 
 CutOrder CutSorter::take() {

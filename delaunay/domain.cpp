@@ -115,7 +115,7 @@ void check(const Pslg& pslg) {
                        "give finite numbers (counted from 0)");
   };
   if (n > std::numeric_limits<std::uint32_t>::max() / 8)
-    throw InputError(pslg.source, std::to_string(n) + " points are too many", "give at most 2^29");
+    throw InputError(pslg.source, std::to_string(n) + " points are too many", "give at most 536870911");
   for (std::size_t i = 0; i < n; ++i) check_point("point", i, pslg.points[i]);
   for (std::size_t i = 0; i < pslg.holes.size(); ++i) check_point("hole", i, pslg.holes[i]);
   for (std::size_t i = 0; i < pslg.regions.size(); ++i) check_point("region", i, pslg.regions[i].seed);

@@ -41,8 +41,7 @@ class CutTree {
     Node node{first, last, 0, 0, 0};
     std::size_t height = 0;
     if (last - first > block_size) {
-      const auto begin = cut_depth_.begin();
-      node.cut = static_cast<std::uint32_t>(std::min_element(begin + first + 1, begin + last) - begin);
+      node.cut = highest_cut(first, last);
       const Added lower = add(first, node.cut), upper = add(node.cut, last);
       node.lower = lower.node;
       node.upper = upper.node;
@@ -52,6 +51,18 @@ class CutTree {
     levels_[height].push_back(nodes_.size());
     nodes_.push_back(node);
     return {nodes_.size() - 1, height};
+  }
+
+  /// Of several equally high ones that nearest to the middle.
+  [[nodiscard]] std::uint32_t highest_cut(std::uint32_t first, std::uint32_t last) const {
+    const std::uint32_t middle = first + (last - first) / 2;
+    const auto off_middle = [&](std::uint32_t i) { return i < middle ? middle - i : i - middle; };
+    std::uint32_t best = first + 1;
+    for (std::uint32_t i = best + 1; i < last; ++i)
+      if (cut_depth_[i] < cut_depth_[best] ||
+          (cut_depth_[i] == cut_depth_[best] && off_middle(i) < off_middle(best)))
+        best = i;
+    return best;
   }
 
   std::span<const std::uint16_t> cut_depth_;

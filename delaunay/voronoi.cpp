@@ -257,9 +257,11 @@ VoronoiDiagram voronoi_diagram(const TriangleMesh& delaunay) {
 std::optional<VoronoiDiagram> voronoi_diagram(std::span<const Point2> points,
                                               const TriangulateOptions& options) {
   Triangulation result = triangulate(std::vector<Point2>(points.begin(), points.end()), options);
-  if (result.outcome == TriangulateOutcome::stopped) return std::nullopt;
+  const auto stopped = [&] { return options.progress.stop_requested(); };
+  if (result.outcome == TriangulateOutcome::stopped || stopped()) return std::nullopt;
   if (result.outcome == TriangulateOutcome::done) {
     VoronoiDiagram diagram = voronoi_diagram(result.mesh);
+    if (stopped()) return std::nullopt;
     diagram.site_of_input.clear();
     for (const MaybeId<VertexId> site : result.vertex_of_input) diagram.site_of_input.push_back(*site);
     return diagram;

@@ -29,7 +29,9 @@ class CountedBytes {
   CountedBytes(const char* at, std::size_t& line) : at_(at), line_(&line) {}
   reference operator*() const { return *at_; }
   CountedBytes& operator++() {
-    if (*at_++ == '\n') ++*line_;
+    // The parser reads one byte ahead: a line begins with its first byte, not with the end of the one before.
+    if (after_newline_) ++*line_;
+    after_newline_ = *at_++ == '\n';
     return *this;
   }
   CountedBytes operator++(int) {
@@ -43,6 +45,7 @@ class CountedBytes {
  private:
   const char* at_;
   std::size_t* line_;
+  bool after_newline_ = false;
 };
 
 /// Which nesting of arrays the coordinates of a geometry have.

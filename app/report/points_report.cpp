@@ -47,6 +47,7 @@ std::string why_no_triangles(TriangulateOutcome outcome, std::size_t distinct_po
 }
 
 Json points_account(std::span<const Point2> points) {
+  if (points.empty()) return {{"points", 0}, {"duplicates", 0}, {"box", nullptr}};
   const std::size_t distinct = delaunay::sort_and_merge(points).points.size();
   Point2 low = points.front(), high = low;
   for (const Point2 p : points) {

@@ -77,11 +77,16 @@ class ColumnReader {
   }
 
  private:
-  /// A first line that begins with a word is a header; NaN is a word that is no name.
+  /// A first line of words is a header; NaN is a word that is no name. A field that begins as a number does makes it a
+  /// row, if perhaps a damaged one.
   bool is_header() {
     split(scan_.rest(), fields_);
     double ignored = 0;
-    return parse_number(fields_.front(), ignored) == NumberFault::not_a_number;
+    return parse_number(fields_.front(), ignored) == NumberFault::not_a_number &&
+           std::none_of(fields_.begin(), fields_.end(), [](std::string_view field) {
+             return !field.empty() &&
+                    std::string_view("0123456789+-.").find(field.front()) != std::string_view::npos;
+           });
   }
 
   void read_header() {

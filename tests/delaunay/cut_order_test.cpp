@@ -26,6 +26,11 @@ std::vector<shapes::NamedPoints> sets() {
   std::vector<Point2> repeated;
   for (int i = 0; i < 3000; ++i) repeated.push_back({static_cast<double>(i % 7), static_cast<double>(i % 3)});
   all.push_back({"few places", repeated});
+  // No grid divides these. Each is there twice, from odd positions on: cuts between the two once took all high ones.
+  std::vector<Point2> subnormal_twice{{0, 0}};
+  for (int i = 0; i < 20'000; ++i)
+    subnormal_twice.push_back({(1 + i / 2) * 0x1p-1074, (i / 2 * 7919 % 10'007) * 0x1p-1074});
+  all.push_back({"subnormal, twice", subnormal_twice});
   std::vector<Point2> dense = shapes::transformed(shapes::uniform(10'000, 5), 1e-12, 1);
   dense.push_back({0, 0});
   all.push_back({"dense and far", dense});
@@ -37,6 +42,8 @@ void require_separated(const CutOrder& order, std::size_t first, std::size_t las
   if (last - first < 2) return;
   const auto depth = order.cut_depth.begin(), cut = std::min_element(depth + first + 1, depth + last);
   const auto middle = static_cast<std::size_t>(cut - depth);
+  // One cut is the highest, so that the tree of cuts is no deeper than their depth.
+  REQUIRE(std::count(depth + first + 1, depth + last, *cut) == 1);
   const bool by_x = *cut % 2 == 0;
   const auto less = [&](Point2 p, Point2 q) {
     return by_x ? p.x < q.x || (p.x == q.x && p.y < q.y) : p.y < q.y || (p.y == q.y && p.x > q.x);

@@ -73,6 +73,8 @@ TEST_CASE("vertices_of_lines_and_polygons_are_taken_with_a_warning_and_rings_clo
 TEST_CASE("bad_json_is_refused_with_its_line") {
   CHECK(holds(complaint("[[1, 2],\n[3]]"), "p.json:2: a point has 1 coordinates"));
   CHECK(holds(complaint("[[1, 2],\n[3, 4, 5]]"), "p.json:2: a point has 3 coordinates"));
+  // The parser has read the newline by then: the culprit is the number before it.
+  CHECK(holds(complaint("[[0, 0],\n5\n]"), "p.json:2: found lone coordinates"));
   CHECK(holds(complaint("[1, 2,\n3]"), "p.json:2: the number of coordinates is odd"));
   CHECK(holds(complaint("[[1, 2], 3, 4]"), "mixed"));
   CHECK(holds(complaint("[1, 2, [3, 4]]"), "mixed"));

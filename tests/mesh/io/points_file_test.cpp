@@ -67,8 +67,11 @@ TEST_CASE("bad_columns_are_refused_with_their_line") {
   CHECK(holds(complaint("1 2\n3\n"), "p.xy:2: the line has 1 columns"));
   CHECK(holds(complaint("1 2\n3 abc\n"), "p.xy:2: found \"abc\""));
   CHECK(holds(complaint("1,2\n3,\n"), "p.xy:2: found \"\""));
-  CHECK(holds(complaint("1,5;2,5\n1,5;2,5\n"), "p.xy:2"));
+  CHECK(holds(complaint("1,5;2,5\n1,5;2,5\n"), "p.xy:1"));
   CHECK(holds(complaint("1,5;2,5\n1,5;2,5\n"), "decimals with a point"));
+  // A damaged first row is no header.
+  CHECK(holds(complaint("1.0O 2\n3 4\n"), "p.xy:1: found \"1.0O\""));
+  CHECK(holds(complaint("l 2\n3 4\n"), "p.xy:1: found \"l\""));
   CHECK(holds(complaint("nan 1\n"), "p.xy:1: \"nan\" is not finite"));
   CHECK(holds(complaint("1 2\n1 -inf\n"), "p.xy:2: \"-inf\" is not finite"));
   CHECK(holds(complaint("1 1e999\n"), "beyond the range"));
