@@ -11,7 +11,7 @@ namespace leonhard::delaunay {
 
 /// Points sorted for triangulation: equal ones merged, neighbours in the plane neighbours in memory.
 struct SortedPoints {
-  std::vector<Point2> points;               ///< distinct, along the Hilbert curve
+  std::vector<Point2> points;               ///< distinct, neighbours mostly side by side
   std::vector<std::uint32_t> first_input;   ///< one a point: the first input point there
   std::vector<std::uint32_t> sorted_index;  ///< one an input point: its point here
 };
