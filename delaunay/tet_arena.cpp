@@ -8,15 +8,15 @@
 namespace leonhard::delaunay {
 
 void TetArena::grow(std::size_t count) {
-  const std::size_t needed = marks.size() + count, most = GhostTetrahedralization::ghost.index();
+  const std::size_t needed = cells.tet_count() + count, most = GhostTetrahedralization::ghost.index();
   if (needed > most)
     throw InputError("points",
                      "their tetrahedralisation has more than " + std::to_string(most) + " tetrahedra, which ids of " +
                          std::to_string(8 * sizeof(IdRaw)) + " bits cannot number",
                      "build with -DLEONHARD_64BIT_IDS=ON or leave points out");
-  cells.corners.resize(needed);
+  constexpr VertexId ghost = GhostTetrahedralization::ghost;
+  cells.corners.resize(needed, {ghost, ghost, ghost, ghost});
   cells.neighbours.resize(needed);
-  marks.resize(needed, Mark::dead);
 }
 
 }  // namespace leonhard::delaunay

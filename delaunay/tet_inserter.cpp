@@ -7,19 +7,24 @@
 #include <utility>
 
 #include "leonhard/kernel/predicates3.hpp"
-#include "leonhard/mesh/tet_mesh.hpp"
 
 namespace leonhard::delaunay {
 namespace {
 
-using Mark = TetArena::Mark;
 constexpr VertexId ghost = GhostTetrahedralization::ghost;
 
-/// Which face of a tetrahedron lies next to `other`, which is one of its neighbours.
+/// Which face of a tetrahedron lies next to `other`, which is one of its neighbours. Without branches, which nothing
+/// could foretell.
 unsigned face_towards(const std::array<MaybeId<TetId>, 4>& neighbours, TetId other) {
   const MaybeId<TetId> behind(other);
-  return neighbours[1] == behind ? 1U : neighbours[2] == behind ? 2U : neighbours[3] == behind ? 3U : 0U;
+  return static_cast<unsigned>(neighbours[1] == behind) | static_cast<unsigned>(neighbours[2] == behind) << 1 |
+         static_cast<unsigned>(neighbours[3] == behind) * 3;
 }
+
+/// tet_face_corners the other way round: counter-clockwise as seen from inside. Corner 0, which may be the ghost, stays
+/// the first.
+constexpr std::array<std::array<std::uint8_t, 3>, 4> face_corners_inwards{
+    {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 
 /// On walls of up to 4^4 vertices new tetrahedra find one another through a table of all pairs of vertices.
 constexpr std::size_t largest_table = 256;
@@ -27,7 +32,9 @@ constexpr std::size_t largest_table = 256;
 }  // namespace
 
 TetInserter::TetInserter(TetArena& arena, VertexRange owned, TetId hint)
-    : arena_(arena), owned_(owned), restricted_(owned.end - owned.begin < arena.nodes.size()), hint_(hint) {
+    : arena_(arena),
+      spheres_(kernel::detail::best_batch_filters().spheres),
+      owned_(owned), restricted_(owned.end - owned.begin < arena.nodes.size()), hint_(hint) {
   if (!restricted_) free_numbers_ = std::exchange(arena.free_numbers, {});
 }
 
@@ -45,7 +52,7 @@ void TetInserter::return_numbers() {
 
 bool TetInserter::is_owned(TetId t) const {
   const auto& c = arena_.cells.corners[t];
-  return owned_.contains(c[1]) && owned_.contains(c[2]) && owned_.contains(c[3]) &&
+  return owned_.contains(c[1]) && owned_.contains(c[2]) && owned_.contains(unmarked(c[3])) &&
          (c[0] == ghost || owned_.contains(c[0]));
 }
 
@@ -85,7 +92,7 @@ void TetInserter::walk_to(const Point3& p) {
 }
 
 void TetInserter::go_to(TetId t) {
-  if (arena_.marks[t.index()] != Mark::dead && !arena_.cells.is_ghost(t)) hint_ = t;
+  if (!arena_.cells.is_ghost(t)) hint_ = t;
 }
 
 // ---- the cavity ----
@@ -95,54 +102,131 @@ bool TetInserter::in_conflict(TetId t, const Point3& p) const {
   const auto point = [&](VertexId v) -> const Point3& { return arena_.nodes[v.index()].point; };
   const auto& c = cells.corners[t];
   if (c[0] != ghost) [[likely]]
-    return kernel::insphere_perturbed(point(c[0]), point(c[1]), point(c[2]), point(c[3]), p) == Sign::positive;
-  const Sign side = kernel::orient3d(p, point(c[1]), point(c[2]), point(c[3]));
+    return kernel::insphere_perturbed(point(c[0]), point(c[1]), point(c[2]), point(unmarked(c[3])), p) ==
+           Sign::positive;
+  const Sign side = kernel::orient3d(p, point(c[1]), point(c[2]), point(unmarked(c[3])));
   if (side != Sign::zero) return side == Sign::positive;
-  const TetId inside = *cells.neighbours[t][0];
-  const Mark mark = arena_.marks[inside.index()];
-  return mark == Mark::doomed || (mark == Mark::none && in_conflict(inside, p));
+  return in_conflict(*cells.neighbours[t][0], p);
 }
 
-/// Mark and list the tetrahedra in conflict with v from t on, and the walls about them. False if they are not all owned.
+/// Mark and list the tetrahedra in conflict with v from t on, and the faces between them and others. False if they are
+/// not all owned.
+///
+/// All tetrahedra about the ones found last are asked at once: the answers are as good as random, so that a processor
+/// could not go ahead of them one by one. For the same reason the lists are made without branches.
 template <bool restricted>
 bool TetInserter::open_cavity(TetId t, VertexId v) {
   const Point3 p = arena_.nodes[v.index()].point;
-  const auto* const all_corners = arena_.cells.corners.flat().data();
-  const auto* const all_neighbours = arena_.cells.neighbours.flat().data();
-  Mark* const marks = arena_.marks.data();
   cavity_.clear();
-  walls_.clear();
-  cavity_.push_back(t);
-  marks[t.index()] = Mark::doomed;
-  for (std::size_t i = 0; i < cavity_.size(); ++i) {
-    const TetId inside = cavity_[i];
-    for (unsigned face = 0; face < 4; ++face) {
-      const TetId behind = *all_neighbours[inside.index()][face];
-      Mark& mark = marks[behind.index()];
-      if (mark == Mark::doomed) continue;
-      if (mark == Mark::none) {
-        if (in_conflict(behind, p)) {
-          if (restricted && !is_owned(behind)) return false;
-          mark = Mark::doomed;
-          cavity_.push_back(behind);
-          continue;
-        }
-        mark = Mark::outside;
-      }
-      Wall& wall = walls_.emplace_back();
-      wall.corners = all_corners[inside.index()];
-      wall.corners[face] = v;
-      wall.outside = behind;
-      wall.face = static_cast<std::uint8_t>(face);
-      wall.twin_face = static_cast<std::uint8_t>(face_towards(all_neighbours[behind.index()], inside));
-    }
+  faces_.clear();
+  asked_.clear();
+  cavity_.push(t);
+  set_mark(arena_.cells.corners[t], TetMark::doomed);
+  for (std::size_t begin = 0, end = 1; begin < end; begin = end, end = cavity_.size()) {
+    const std::size_t asked = asked_.size();
+    list_faces(begin);
+    ask(asked, p);
+    if (!doom<restricted>(asked, p)) return false;
   }
   return true;
 }
 
+/// List the faces, but for those towards doomed tetrahedra, of the cavity from `begin` on, and the tetrahedra behind them
+/// that have not been asked.
+void TetInserter::list_faces(std::size_t begin) {
+  const std::size_t room = 4 * (cavity_.size() - begin);
+  Face* face = faces_.room(room);
+  TetId* asked = asked_.room(room);
+  auto* const all_corners = arena_.cells.corners.flat().data();
+  const auto* const neighbours = arena_.cells.neighbours.flat().data();
+  const TetId* const end = cavity_.end();
+  for (const TetId* inside = cavity_.begin() + begin; inside != end; ++inside) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const TetId behind = *neighbours[inside->index()][i];
+      __builtin_prefetch(&neighbours[behind.index()], 1);
+      auto& corners = all_corners[behind.index()];
+      const TetMark mark = mark_of(corners);
+      *face = {*inside, behind, i};
+      face += mark != TetMark::doomed;
+      *asked = behind;
+      asked += mark == TetMark::none;
+      set_mark(corners, mark == TetMark::none ? TetMark::outside : mark);
+    }
+  }
+  faces_.end_at(face);
+  asked_.end_at(asked);
+}
+
+/// Filter the answers of those asked from `begin` on.
+void TetInserter::ask(std::size_t begin, const Point3& p) {
+  const std::size_t count = asked_.size() - begin;
+  if (answers_.size() < count) {
+    answers_.resize(2 * count);
+    asked_corners_.resize(8 * count);
+  }
+  const auto* const all_corners = arena_.cells.corners.flat().data();
+  const TetId* const asked = asked_.begin() + begin;
+  std::uint32_t* ids = asked_corners_.data();
+  for (std::size_t k = 0; k < count; ++k, ids += 4) {
+    const std::array<VertexId, 4> c = all_corners[asked[k].index()];
+    // A ghost has one corner twice, and of that the filter makes nothing.
+    ids[0] = static_cast<std::uint32_t>(c[0] == ghost ? c[1].raw : c[0].raw);
+    ids[1] = static_cast<std::uint32_t>(c[1].raw);
+    ids[2] = static_cast<std::uint32_t>(c[2].raw);
+    ids[3] = static_cast<std::uint32_t>(unmarked(c[3]).raw);
+  }
+  spheres_(p, arena_.nodes.data(), asked_corners_.data(), count, answers_.data());
+}
+
+/// Those asked from `begin` on that are in conflict join the cavity.
+template <bool restricted>
+bool TetInserter::doom(std::size_t begin, const Point3& p) {
+  const std::size_t count = asked_.size() - begin;
+  TetId* doomed = cavity_.room(count);
+  const TetId* const asked = asked_.begin() + begin;
+  const Sign* const answers = answers_.data();
+  auto* const corners = arena_.cells.corners.flat().data();
+  bool all_owned = true;
+  for (std::size_t k = 0; k < count; ++k) {
+    const TetId t = asked[k];
+    Sign answer = answers[k];
+    if (answer == Sign::zero) [[unlikely]]
+      answer = in_conflict(t, p) ? Sign::positive : Sign::negative;
+    const bool dies = answer == Sign::positive;
+    *doomed = t;
+    doomed += dies;
+    set_mark(corners[t.index()], dies ? TetMark::doomed : TetMark::outside);
+    if (restricted && dies) all_owned &= is_owned(t);
+  }
+  cavity_.end_at(doomed);
+  return all_owned;
+}
+
+void TetInserter::list_walls(VertexId v) {
+  const auto* const all_corners = arena_.cells.corners.flat().data();
+  Face* kept = faces_.begin();
+  for (const Face face : faces_) {
+    *kept = face;
+    kept += mark_of(all_corners[face.outside.index()]) != TetMark::doomed;
+  }
+  faces_.end_at(kept);
+  walls_.clear();
+  Wall* wall = walls_.room(faces_.size());
+  for (const Face& face : faces_) {
+    std::array<VertexId, 4> corners = all_corners[face.inside.index()];
+    corners[3] = unmarked(corners[3]);
+    const auto& inwards = face_corners_inwards[face.number];
+    wall->corners = {corners[inwards[0]], corners[inwards[1]], corners[inwards[2]], v};
+    wall->outside = face.outside;
+    wall->twin_face = face_towards(arena_.cells.neighbours[face.outside], face.inside);
+    ++wall;
+  }
+  walls_.end_at(wall);
+}
+
 void TetInserter::close_again() {
-  for (const TetId t : cavity_) arena_.marks[t.index()] = Mark::none;
-  for (const Wall& wall : walls_) arena_.marks[wall.outside.index()] = Mark::none;
+  for (const TetId t : cavity_) set_mark(arena_.cells.corners[t], TetMark::none);
+  for (const TetId t : asked_) set_mark(arena_.cells.corners[t], TetMark::none);
 }
 
 /// Numbers for the tetrahedra that the cavity is too small to give its own to.
@@ -151,7 +235,7 @@ bool TetInserter::find_numbers() {
     if (next_number_ == end_of_numbers_) {
       if (restricted_) return false;
       constexpr std::size_t at_once = std::size_t{1} << 14;
-      const std::size_t first = arena_.marks.size();
+      const std::size_t first = arena_.cells.tet_count();
       arena_.grow(at_once);
       give_numbers(TetId::from(first), TetId::from(first + at_once));
     }
@@ -163,21 +247,21 @@ bool TetInserter::find_numbers() {
 /// Give each vertex of the walls a number of its own, counting from 0; the point that they are joined to has none.
 /// The walls are a sphere, so there are half as many vertices as walls, and two more.
 void TetInserter::number_walls() {
-  const std::uint32_t cavity = walls_.front().corners[walls_.front().face].raw + 1;
+  const auto cavity = static_cast<std::uint32_t>(walls_[0].corners[3].raw + 1);
   TetNode* const nodes = arena_.nodes.data();
   std::uint32_t count = 0;
-  TetNode for_ghost;
-  for (Wall& wall : walls_) {
-    for (unsigned i = 0; i < 4; ++i) {
-      if (i == wall.face) continue;
-      TetNode& node = wall.corners[i] == ghost ? for_ghost : nodes[wall.corners[i].index()];
-      if (node.cavity != cavity) {
-        node.cavity = cavity;
-        node.local = count++;
-      }
-      wall.local[i] = node.local;
-    }
-  }
+  TetNode for_ghost{};
+  const auto number_of = [&](VertexId v) {
+    TetNode& node = v == ghost ? for_ghost : nodes[v.index()];
+    const bool is_new = node.notes[0] != cavity;
+    const std::uint32_t number = is_new ? count : node.notes[1];
+    node.notes[0] = cavity;
+    node.notes[1] = number;
+    count += is_new;
+    return number;
+  };
+  for (Wall& wall : walls_)
+    wall.local = {number_of(wall.corners[0]), number_of(wall.corners[1]), number_of(wall.corners[2])};
   assert(count == walls_.size() / 2 + 2);
 }
 
@@ -188,18 +272,14 @@ void TetInserter::link_by_table(std::size_t vertices) {
   if (table_.size() < std::size_t{1} << (2 * shift)) table_.resize(std::size_t{1} << (2 * shift));
   TetId* const table = table_.data();
   for (const Wall& wall : walls_) {
-    const auto [i, j, k] = tet_face_corners[wall.face];
-    const std::uint32_t a = wall.local[i], b = wall.local[j], c = wall.local[k];
+    const auto [a, b, c] = wall.local;
     table[a << shift | b] = table[b << shift | c] = table[c << shift | a] = wall.made;
   }
-  auto* const all_neighbours = arena_.cells.neighbours.flat().data();
+  auto* const neighbours = arena_.cells.neighbours.flat().data();
   for (const Wall& wall : walls_) {
-    const auto [i, j, k] = tet_face_corners[wall.face];
-    const std::uint32_t a = wall.local[i], b = wall.local[j], c = wall.local[k];
-    auto& neighbours = all_neighbours[wall.made.index()];
-    neighbours[k] = table[b << shift | a];
-    neighbours[i] = table[c << shift | b];
-    neighbours[j] = table[a << shift | c];
+    const auto [a, b, c] = wall.local;
+    neighbours[wall.made.index()] = {table[c << shift | b], table[a << shift | c], table[b << shift | a],
+                                     wall.outside};
   }
 }
 
@@ -213,10 +293,10 @@ void TetInserter::link_by_sorting() {
   std::vector<Edge> edges;
   edges.reserve(3 * walls_.size());
   for (const Wall& wall : walls_) {
-    const auto& around = tet_face_corners[wall.face];
-    for (unsigned n = 0; n < 3; ++n) {
-      const std::uint32_t a = wall.local[around[n]], b = wall.local[around[(n + 1) % 3]];
-      edges.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), wall.made, around[(n + 2) % 3]});
+    arena_.cells.neighbours[wall.made][3] = wall.outside;
+    for (unsigned i = 0; i < 3; ++i) {
+      const std::uint32_t a = wall.local[(i + 1) % 3], b = wall.local[(i + 2) % 3];
+      edges.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), wall.made, i});
     }
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& e, const Edge& f) { return e.ends < f.ends; });
@@ -230,26 +310,26 @@ void TetInserter::link_by_sorting() {
 
 /// Put the new tetrahedra in the cavity's place.
 void TetInserter::fill() {
-  number_walls();
-  auto& cells = arena_.cells;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    Wall& wall = walls_[w];
     if (w < cavity_.size()) {
-      wall.made = cavity_[w];
+      walls_[w].made = cavity_[w];
     } else {
-      wall.made = free_numbers_.back();
+      walls_[w].made = free_numbers_.back();
       free_numbers_.pop_back();
     }
-    cells.corners[wall.made] = wall.corners;
-    cells.neighbours[wall.made][wall.face] = wall.outside;
-    cells.neighbours[wall.outside][wall.twin_face] = wall.made;
-    arena_.marks[wall.made.index()] = Mark::none;
-    arena_.marks[wall.outside.index()] = Mark::none;
+  }
+  auto* const corners = arena_.cells.corners.flat().data();
+  auto* const neighbours = arena_.cells.neighbours.flat().data();
+  for (const Wall& wall : walls_) {
+    corners[wall.made.index()] = wall.corners;
+    neighbours[wall.outside.index()][wall.twin_face] = wall.made;
+    set_mark(corners[wall.outside.index()], TetMark::none);
   }
   for (std::size_t c = walls_.size(); c < cavity_.size(); ++c) {
-    arena_.marks[cavity_[c].index()] = Mark::dead;
+    arena_.kill(cavity_[c]);
     free_numbers_.push_back(cavity_[c]);
   }
+  number_walls();
   const std::size_t vertices = walls_.size() / 2 + 2;
   if (vertices <= largest_table)
     link_by_table(vertices);
@@ -265,6 +345,7 @@ bool TetInserter::insert(VertexId v) {
   const MaybeId<TetId> t = restricted_ ? walk<true>(p) : walk<false>(p);
   if (!t) return false;
   const bool opened = restricted_ ? open_cavity<true>(*t, v) : open_cavity<false>(*t, v);
+  if (opened) list_walls(v);
   if (!opened || !find_numbers()) {
     close_again();
     return false;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "leonhard/delaunay/locate.hpp"
+#include "leonhard/delaunay/scratch_stack.hpp"
 #include "leonhard/delaunay/tet_arena.hpp"
 #include "leonhard/mesh/id.hpp"
 
@@ -52,13 +53,18 @@ class TetInserter {
   void return_numbers();
 
  private:
+  /// A face between a tetrahedron of the cavity and one that was asked, and with that a wall unless it dies as well.
+  struct Face {
+    TetId inside, outside;
+    std::uint32_t number;  ///< which face of the one inside
+  };
   /// A face between the cavity and a tetrahedron that stays.
   struct Wall {
-    std::array<VertexId, 4> corners;     ///< of the tetrahedron to come: the point in the place of the corner inside
-    std::array<std::uint32_t, 4> local;  ///< numbers of the corners on the boundary
-    TetId outside;                       ///< behind the wall
-    TetId made;                          ///< the new tetrahedron
-    std::uint8_t face, twin_face;        ///< which face of it, and of the one outside
+    std::array<VertexId, 4> corners;     ///< of the tetrahedron to come: the face, then the point
+    std::array<std::uint32_t, 3> local;  ///< numbers of the face's corners on the boundary
+    TetId made;                          ///< the tetrahedron to come
+    TetId outside;
+    std::uint32_t twin_face;  ///< which face of the one outside
   };
 
   template <bool restricted>
@@ -67,6 +73,11 @@ class TetInserter {
   [[nodiscard]] bool is_owned(TetId t) const;
   template <bool restricted>
   [[nodiscard]] bool open_cavity(TetId t, VertexId v);
+  void list_faces(std::size_t begin);
+  void ask(std::size_t begin, const Point3& p);
+  template <bool restricted>
+  [[nodiscard]] bool doom(std::size_t begin, const Point3& p);
+  void list_walls(VertexId v);
   void close_again();
   [[nodiscard]] bool find_numbers();
   void fill();
@@ -75,14 +86,19 @@ class TetInserter {
   void link_by_sorting();
 
   TetArena& arena_;
+  const kernel::detail::SpheresFilter spheres_;
   VertexRange owned_;
   bool restricted_;
   TetId hint_;
   IdRaw next_number_ = 0, end_of_numbers_ = 0;
   std::vector<TetId> free_numbers_;
-  std::vector<TetId> cavity_;
-  std::vector<Wall> walls_;
-  std::vector<TetId> table_;
+  ScratchStack<TetId> cavity_;
+  ScratchStack<Face> faces_;
+  ScratchStack<Wall> walls_;
+  ScratchStack<TetId> asked_;                  ///< whether they are in conflict, doomed ones and others
+  std::vector<std::uint32_t> asked_corners_;  ///< four each of a layer's
+  std::vector<Sign> answers_;
+  std::vector<TetId> table_;                  ///< of pairs of numbers on the boundary
   Coin coin_;
 };
 

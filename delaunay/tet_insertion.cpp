@@ -20,7 +20,6 @@
 namespace leonhard::delaunay {
 namespace {
 
-using Mark = TetArena::Mark;
 constexpr VertexId ghost = GhostTetrahedralization::ghost;
 
 class Insertion {
@@ -47,11 +46,10 @@ class Insertion {
     const std::size_t expected = 27 * arena_.nodes.size() / 4 + arena_.nodes.size() / 8 + 1024;
     arena_.cells.corners.reserve(expected);
     arena_.cells.neighbours.reserve(expected);
-    arena_.marks.reserve(expected);
-    prefer_large_pages(arena_.cells.corners.flat().data(), expected * sizeof(arena_.cells.corners.flat()[0]));
-    prefer_large_pages(arena_.cells.neighbours.flat().data(), expected * sizeof(arena_.cells.neighbours.flat()[0]));
+    const std::size_t bytes = expected * sizeof(std::array<VertexId, 4>);
+    prefer_large_pages(arena_.cells.corners.flat().data(), bytes);
+    prefer_large_pages(arena_.cells.neighbours.flat().data(), bytes);
     arena_.grow(5);
-    std::ranges::fill(arena_.marks, Mark::none);
     auto& cells = arena_.cells;
     const TetId inside{0};
     for (unsigned i = 0; i < 4; ++i) cells.corners[inside][i] = VertexId{corners[i]};
@@ -96,7 +94,7 @@ class Insertion {
   std::vector<std::uint32_t> insert_by_threads(std::span<const std::uint32_t> vertices, unsigned pass) {
     std::vector<Piece> pieces = cut(vertices, pass);
     for (Piece& piece : pieces) find_hint(piece);
-    const std::size_t first = arena_.marks.size();
+    const std::size_t first = arena_.cells.tet_count();
     std::size_t numbers = 0;
     for (Piece& piece : pieces) {
       constexpr std::size_t numbers_a_point = 7, spare = 4096;

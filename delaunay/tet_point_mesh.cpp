@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "leonhard/delaunay/in_place_permutation.hpp"
 #include "leonhard/delaunay/large_vector.hpp"
 #include "leonhard/delaunay/parallel.hpp"
 
@@ -65,56 +66,42 @@ std::vector<TetId> sorted_numbers(const GhostTetrahedralization& cells, std::siz
   return numbers;
 }
 
-/// sorted[i] = values[from[i]] for all i, in place: along the cycles of the permutation. `from` may leave values out, which
-/// are lost, but all of it lies below values.size().
-template <class T>
-void permute(std::vector<T>& values, const std::vector<TetId>& from) {
-  std::vector<bool> done(from.size(), false);
-  // A chain that begins at a place whose value nobody wants: its end takes a value from beyond the sorted part.
-  const auto follow = [&](std::size_t start) {
-    const T first = values[start];
-    std::size_t i = start;
-    while (true) {
-      done[i] = true;
-      const std::size_t next = from[i].index();
-      if (next == start || next >= from.size()) {
-        values[i] = next == start ? first : values[next];
-        return;
-      }
-      values[i] = values[next];
-      i = next;
-    }
-  };
-  std::vector<bool> wanted(from.size(), false);
-  for (const TetId t : from)
-    if (t.index() < from.size()) wanted[t.index()] = true;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    if (!wanted[i]) follow(i);
-  for (std::size_t i = 0; i < from.size(); ++i)
-    if (!done[i]) follow(i);
-  values.resize(from.size());
+/// The number that each tetrahedron gets: real ones in the order of sort_and_drop_ghosts, the others after them.
+std::vector<IdRaw> new_numbers(const GhostTetrahedralization& cells, std::size_t vertices, unsigned threads) {
+  const std::vector<TetId> sorted = sorted_numbers(cells, vertices, threads);
+  auto number = large_vector<IdRaw>(cells.tet_count());
+  parallel_for_indices(0, sorted.size(), threads,
+                       [&](std::size_t i) { number[sorted[i].index()] = static_cast<IdRaw>(i); });
+  auto next = static_cast<IdRaw>(sorted.size());
+  for (const TetId t : cells.corners.ids())
+    if (cells.is_ghost(t)) number[t.index()] = next++;
+  return number;
 }
 
 }  // namespace
 
-void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::vector<TetId> dead, std::size_t vertices,
+void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::size_t vertices,
                           unsigned threads) {
   auto& corners = cells.corners.flat();
   auto& neighbours = cells.neighbours.flat();
-  for (const TetId t : dead) corners[t.index()].fill(ghost);
   parallel_for_indices(0, corners.size(), threads, [&](std::size_t t) {
     if (corners[t][0] != ghost) sort_corners(corners[t], neighbours[t]);
   });
-  std::vector<TetId> numbers = sorted_numbers(cells, vertices, threads);
-  auto new_number = large_vector<MaybeId<TetId>>(corners.size());
-  parallel_for_indices(0, numbers.size(), threads,
-                       [&](std::size_t i) { new_number[numbers[i].index()] = TetId::from(i); });
+  std::vector<IdRaw> number = new_numbers(cells, vertices, threads);
+  const auto ghosts = static_cast<std::size_t>(
+      std::count_if(corners.begin(), corners.end(), [](const Corners& c) { return c[0] == ghost; }));
+  const std::size_t real = corners.size() - ghosts;
   parallel_for_indices(0, corners.size(), threads, [&](std::size_t t) {
     if (corners[t][0] == ghost) return;
-    for (MaybeId<TetId>& n : neighbours[t]) n = new_number[(*n).index()];
+    for (MaybeId<TetId>& n : neighbours[t]) {
+      const IdRaw behind = number[(*n).index()];
+      n = behind < real ? MaybeId(TetId{behind}) : MaybeId<TetId>();
+    }
   });
-  release(new_number);
-  parallel_invoke(threads, [&] { permute(corners, numbers); }, [&] { permute(neighbours, numbers); });
+  permute_in_place(corners, number, threads);
+  permute_in_place(neighbours, std::move(number), threads);
+  corners.resize(real);
+  neighbours.resize(real);
 }
 
 namespace {

@@ -14,12 +14,10 @@ namespace leonhard::delaunay {
 /// vertices of each come in rising order but for the last two, which are in the order that makes it positive. Ghosts and
 /// dead tetrahedra are dropped, a neighbour that was a ghost is none.
 ///
-/// cells     its vertices are 0 to vertices - 1
-/// dead      numbers that no tetrahedron has
+/// cells     its vertices are 0 to vertices - 1; dead tetrahedra have the ghost at all corners
 /// threads   0: as many as there are cores; the answer does not depend on it
 /// Cost O(tetrahedra), in place but for 8 bytes a tetrahedron.
-void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::vector<TetId> dead, std::size_t vertices,
-                          unsigned threads);
+void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::size_t vertices, unsigned threads);
 
 /// Where sorted points come from.
 struct SortedOrigin {

@@ -41,11 +41,12 @@ SortedNodes sort_and_merge(const std::vector<Point3>& points) {
   SortedNodes sorted;
   auto& [nodes, origin] = sorted;
   nodes.reserve(points.size());
+  prefer_large_pages(nodes.data(), points.size() * sizeof(TetNode));
   origin.first_input.reserve(points.size());
   origin.sorted_index.resize(points.size());
   for (const std::uint32_t i : order) {
     if (nodes.empty() || nodes.back().point != points[i]) {
-      nodes.push_back({points[i]});
+      nodes.push_back({points[i], {}});
       origin.first_input.push_back(i);
     }
     origin.sorted_index[i] = static_cast<std::uint32_t>(nodes.size() - 1);
@@ -85,7 +86,7 @@ Tetrahedralization tetrahedralize(std::vector<Point3> points, const Tetrahedrali
     result.vertex_of_input.resize(points.size());
     return result;
   }
-  sort_and_drop_ghosts(made.cells, std::move(made.dead), vertices, options.threads);
+  sort_and_drop_ghosts(made.cells, vertices, options.threads);
   TetPointMesh mesh = to_mesh(std::move(made.cells), std::move(sorted.origin), std::move(points), options.threads);
   result.mesh = std::move(mesh.mesh);
   result.vertex_of_input = std::move(mesh.vertex_of_input);

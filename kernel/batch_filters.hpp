@@ -24,11 +24,23 @@ struct BatchFilter {
                            Sign* signs);
 };
 
+/// A point of space with room for its owner's notes: 32 bytes, which never lie in two cache lines and are read at once.
+struct alignas(32) PaddedPoint3 {
+  Point3 point;
+  std::uint32_t notes[2] = {};
+};
+
+/// The filter of insphere(a, b, c, d, p) for one p and many tetrahedra a, b, c, d, whose ids lie side by side. signs as in
+/// BatchFilter.
+using SpheresFilter = void (*)(const Point3& p, const PaddedPoint3* points, const std::uint32_t* ids,
+                               std::size_t count, Sign* signs);
+
 /// One build of the filters.
 struct BatchFilters {
   const char* name;
   BatchFilter<Point2> orient2d, incircle;
   BatchFilter<Point3> orient3d, insphere;
+  SpheresFilter spheres;
 };
 
 extern const BatchFilters batch_filters_baseline;

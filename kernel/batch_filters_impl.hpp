@@ -164,6 +164,18 @@ void filter_one_against_many(const typename Filter::Point* one, const typename F
   filter_against_one<Filter>(one, points, ids, count, signs, std::make_index_sequence<Filter::points - 2>());
 }
 
+/// The vectors from p to a, b, c, d take the place of those from the first point: to put p first is an even permutation.
+void filter_spheres(const Point3& p, const detail::PaddedPoint3* points, const std::uint32_t* ids, std::size_t count,
+                    Sign* signs) {
+  const Rows3 from = equal_rows(p);
+  filter_all<4>(ids, count, signs, [=](const std::uint32_t* these, Sign* to) LEONHARD_INLINE_LAMBDA {
+    const Filtered f = InsphereFilter::filter(
+        columns(rows<4>(points, these) - from), columns(rows<4>(points, these + 1) - from),
+        columns(rows<4>(points, these + 2) - from), columns(rows<4>(points, these + 3) - from));
+    store_signs(to, f.certain, f.determinant);
+  });
+}
+
 }  // namespace
 
 namespace detail {
@@ -173,7 +185,8 @@ const BatchFilters LEONHARD_BATCH_NAME{
     {filter_calls<Orient2dFilter>, filter_one_against_many<Orient2dFilter>},
     {filter_calls<IncircleFilter>, filter_one_against_many<IncircleFilter>},
     {filter_calls<Orient3dFilter>, filter_one_against_many<Orient3dFilter>},
-    {filter_calls<InsphereFilter>, filter_one_against_many<InsphereFilter>}};
+    {filter_calls<InsphereFilter>, filter_one_against_many<InsphereFilter>},
+    filter_spheres};
 
 }  // namespace detail
 }  // namespace leonhard::kernel

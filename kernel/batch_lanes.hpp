@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "leonhard/kernel/batch_filters.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
 
@@ -131,6 +132,16 @@ LEONHARD_INLINE Rows3 rows(const Point3* points, const std::uint32_t* ids) {
           xyz_row(points[ids[3 * stride]])};
 }
 
+/// x, y, z and 0 in place of the notes.
+LEONHARD_INLINE Lanes xyz_row(const detail::PaddedPoint3& point) {
+  return (Lanes)_mm256_blend_pd(_mm256_load_pd(&point.point.x), _mm256_setzero_pd(), 8);
+}
+template <std::size_t stride>
+LEONHARD_INLINE Rows3 rows(const detail::PaddedPoint3* points, const std::uint32_t* ids) {
+  return {xyz_row(points[ids[0]]), xyz_row(points[ids[stride]]), xyz_row(points[ids[2 * stride]]),
+          xyz_row(points[ids[3 * stride]])};
+}
+
 /// The same point in every row.
 LEONHARD_INLINE Rows2 equal_rows(const Point2& p) {
   const Lanes row{p.x, p.y, p.x, p.y};
@@ -177,6 +188,12 @@ LEONHARD_INLINE Rows2 rows(const Point2* points, const std::uint32_t* ids) {
 template <std::size_t stride>
 LEONHARD_INLINE Rows3 rows(const Point3* points, const std::uint32_t* ids) {
   const Point3 &first = points[ids[0]], &second = points[ids[stride]];
+  return {xy_row(first), xy_row(second), Lanes{first.z, second.z}};
+}
+
+template <std::size_t stride>
+LEONHARD_INLINE Rows3 rows(const detail::PaddedPoint3* points, const std::uint32_t* ids) {
+  const Point3 &first = points[ids[0]].point, &second = points[ids[stride]].point;
   return {xy_row(first), xy_row(second), Lanes{first.z, second.z}};
 }
 

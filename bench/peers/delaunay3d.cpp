@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/wait.h>
+#define TETLIBRARY  // as Debian builds it: tetrahedralize(switches, in, out)
 #include <tetgen.h>
 #include <unistd.h>
 
