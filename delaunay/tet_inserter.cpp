@@ -22,7 +22,7 @@ unsigned face_towards(const std::array<MaybeId<TetId>, 4>& neighbours, TetId oth
 }
 
 /// tet_face_corners the other way round: counter-clockwise as seen from inside. Corner 0, which may be the ghost, stays
-/// the first.
+/// the first, and corner 3, which carries the mark, does not become it.
 constexpr std::array<std::array<std::uint8_t, 3>, 4> face_corners_inwards{
     {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 
@@ -139,18 +139,19 @@ void TetInserter::list_faces(std::size_t begin) {
   TetId* asked = asked_.room(room);
   auto* const all_corners = arena_.cells.corners.flat().data();
   const auto* const neighbours = arena_.cells.neighbours.flat().data();
-  const TetId* const end = cavity_.end();
-  for (const TetId* inside = cavity_.begin() + begin; inside != end; ++inside) {
+  for (std::size_t inside = begin; inside < cavity_.size(); ++inside) {
+    const std::array<MaybeId<TetId>, 4> around = neighbours[cavity_[inside].index()];
     for (std::uint32_t i = 0; i < 4; ++i) {
-      const TetId behind = *neighbours[inside->index()][i];
+      const TetId behind = *around[i];
       __builtin_prefetch(&neighbours[behind.index()], 1);
       auto& corners = all_corners[behind.index()];
       const TetMark mark = mark_of(corners);
-      *face = {*inside, behind, i};
+      face->outside = behind;
+      face->place = static_cast<std::uint32_t>(4 * inside + i);
       face += mark != TetMark::doomed;
       *asked = behind;
       asked += mark == TetMark::none;
-      set_mark(corners, mark == TetMark::none ? TetMark::outside : mark);
+      mark_if_unasked(corners);
     }
   }
   faces_.end_at(face);
@@ -212,13 +213,16 @@ void TetInserter::list_walls(VertexId v) {
   faces_.end_at(kept);
   walls_.clear();
   Wall* wall = walls_.room(faces_.size());
-  for (const Face& face : faces_) {
-    std::array<VertexId, 4> corners = all_corners[face.inside.index()];
-    corners[3] = unmarked(corners[3]);
-    const auto& inwards = face_corners_inwards[face.number];
-    wall->corners = {corners[inwards[0]], corners[inwards[1]], corners[inwards[2]], v};
+  for (const Face face : faces_) {
+    const TetId inside = cavity_[face.place / 4];
+    const auto& corners = all_corners[inside.index()];
+    const auto& inwards = face_corners_inwards[face.place % 4];
+    wall->corners[0] = corners[inwards[0]];
+    wall->corners[1] = unmarked(corners[inwards[1]]);
+    wall->corners[2] = unmarked(corners[inwards[2]]);
+    wall->corners[3] = v;
     wall->outside = face.outside;
-    wall->twin_face = face_towards(arena_.cells.neighbours[face.outside], face.inside);
+    wall->twin_face = face_towards(arena_.cells.neighbours[face.outside], inside);
     ++wall;
   }
   walls_.end_at(wall);

@@ -55,8 +55,8 @@ class TetInserter {
  private:
   /// A face between a tetrahedron of the cavity and one that was asked, and with that a wall unless it dies as well.
   struct Face {
-    TetId inside, outside;
-    std::uint32_t number;  ///< which face of the one inside
+    TetId outside;
+    std::uint32_t place;  ///< 4 i + j: face j of the cavity's tetrahedron i
   };
   /// A face between the cavity and a tetrahedron that stays.
   struct Wall {

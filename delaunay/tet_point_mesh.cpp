@@ -39,13 +39,41 @@ void sort_corners(Corners& c, Neighbours& n) {
   }
 }
 
-/// The order of sort_and_drop_ghosts among tetrahedra of the same least vertex.
-bool comes_before(const Corners& a, const Corners& b) {
-  const auto rest = [](const Corners& c) {
-    return std::array{c[1], std::min(c[2], c[3]), std::max(c[2], c[3])};
+/// Sort numbers of tetrahedra of the same least vertex by their other vertices: insertion sort, since a vertex is the least
+/// of some seven; of very many, std::sort.
+class SmallSort {
+ public:
+  void operator()(TetId* begin, TetId* end, const Corners* corners) {
+    keyed_.clear();
+    for (const TetId* t = begin; t != end; ++t) {
+      const Corners& c = corners[t->index()];
+      keyed_.push_back({{c[1].raw, std::min(c[2].raw, c[3].raw), std::max(c[2].raw, c[3].raw)}, *t});
+    }
+    if (keyed_.size() > 40) {
+      std::sort(keyed_.begin(), keyed_.end());
+    } else {
+      for (std::size_t i = 1; i < keyed_.size(); ++i) {
+        const Keyed one = keyed_[i];
+        std::size_t j = i;
+        for (; j > 0 && one < keyed_[j - 1]; --j) keyed_[j] = keyed_[j - 1];
+        keyed_[j] = one;
+      }
+    }
+    for (const Keyed& one : keyed_) *begin++ = one.tet;
+  }
+
+ private:
+  struct Keyed {
+    std::array<IdRaw, 3> key;
+    TetId tet;
+    bool operator<(const Keyed& other) const {
+      if (key[0] != other.key[0]) return key[0] < other.key[0];
+      if (key[1] != other.key[1]) return key[1] < other.key[1];
+      return key[2] < other.key[2];
+    }
   };
-  return rest(a) < rest(b);
-}
+  std::vector<Keyed> keyed_;
+};
 
 /// The numbers of all real tetrahedra in the order in which they are to come.
 std::vector<TetId> sorted_numbers(const GhostTetrahedralization& cells, std::size_t vertices, unsigned threads) {
@@ -59,9 +87,12 @@ std::vector<TetId> sorted_numbers(const GhostTetrahedralization& cells, std::siz
     for (const TetId t : cells.corners.ids())
       if (cells.corners[t][0] != ghost) numbers[next[cells.corners[t][0].index()]++] = t;
   }
-  parallel_for_indices(0, vertices, threads, [&](std::size_t v) {
-    std::sort(numbers.begin() + begins[v], numbers.begin() + begins[v + 1],
-              [&](TetId a, TetId b) { return comes_before(cells.corners[a], cells.corners[b]); });
+  constexpr std::size_t block_size = std::size_t{1} << 13;
+  parallel_for_blocks((vertices + block_size - 1) / block_size, threads, [&](std::size_t block) {
+    SmallSort sort;
+    const std::size_t end = std::min((block + 1) * block_size, vertices);
+    for (std::size_t v = block * block_size; v < end; ++v)
+      sort(numbers.data() + begins[v], numbers.data() + begins[v + 1], cells.corners.flat().data());
   });
   return numbers;
 }
@@ -98,8 +129,7 @@ void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::size_t vertices,
       n = behind < real ? MaybeId(TetId{behind}) : MaybeId<TetId>();
     }
   });
-  permute_in_place(corners, number, threads);
-  permute_in_place(neighbours, std::move(number), threads);
+  permute_in_place(number, threads, corners, neighbours);
   corners.resize(real);
   neighbours.resize(real);
 }
