@@ -53,6 +53,7 @@ void GhostTetrahedralization::erase(std::vector<TetId> dead) {
       corners[hole] = corners[last];
       neighbours[hole] = neighbours[last];
       for (const MaybeId<TetId> behind : neighbours[hole]) {
+        if (!behind) continue;
         auto& back = neighbours[*behind];
         std::replace(back.begin(), back.end(), MaybeId(last), MaybeId(hole));
       }

@@ -97,16 +97,21 @@ void TetInserter::go_to(TetId t) {
 
 // ---- the cavity ----
 
+/// For tetrahedra of which the filter makes nothing.
 bool TetInserter::in_conflict(TetId t, const Point3& p) const {
   const auto& cells = arena_.cells;
   const auto point = [&](VertexId v) -> const Point3& { return arena_.nodes[v.index()].point; };
   const auto& c = cells.corners[t];
-  if (c[0] != ghost) [[likely]]
-    return kernel::insphere_perturbed(point(c[0]), point(c[1]), point(c[2]), point(unmarked(c[3])), p) ==
-           Sign::positive;
-  const Sign side = kernel::orient3d(p, point(c[1]), point(c[2]), point(unmarked(c[3])));
+  const Point3 &c_1 = point(c[1]), &c_2 = point(c[2]), &c_3 = point(unmarked(c[3]));
+  if (c[0] != ghost) {
+    const Sign side = kernel::insphere_exact(point(c[0]), c_1, c_2, c_3, p);
+    return (side != Sign::zero ? side : kernel::insphere_tie(point(c[0]), c_1, c_2, c_3, p)) == Sign::positive;
+  }
+  const Sign side = kernel::orient3d(p, c_1, c_2, c_3);
   if (side != Sign::zero) return side == Sign::positive;
-  return in_conflict(*cells.neighbours[t][0], p);
+  // In the face's plane, where the sphere of the tetrahedron inside cuts out the face's circle.
+  const auto& r = cells.corners[*cells.neighbours[t][0]];
+  return kernel::insphere_perturbed(point(r[0]), point(r[1]), point(r[2]), point(unmarked(r[3])), p) == Sign::positive;
 }
 
 /// Mark and list the tetrahedra in conflict with v from t on, and the faces between them and others. False if they are

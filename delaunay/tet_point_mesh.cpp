@@ -134,6 +134,22 @@ void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::size_t vertices,
   neighbours.resize(real);
 }
 
+void drop_ghosts(GhostTetrahedralization& cells) {
+  std::vector<TetId> dead;
+  for (const TetId t : cells.corners.ids()) {
+    if (!cells.is_ghost(t)) continue;
+    dead.push_back(t);
+    if (cells.corners[t][1] == ghost) continue;
+    for (const MaybeId<TetId> behind : cells.neighbours[t]) {
+      if (!behind) continue;  // a ghost that is gone already
+      auto& back = cells.neighbours[*behind];
+      std::replace(back.begin(), back.end(), MaybeId(t), MaybeId<TetId>());
+    }
+    cells.neighbours[t].fill({});
+  }
+  cells.erase(std::move(dead));
+}
+
 namespace {
 
 /// One an input point: its vertex in the mesh.

@@ -19,6 +19,9 @@ namespace leonhard::delaunay {
 /// Cost O(tetrahedra), in place but for 8 bytes a tetrahedron.
 void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::size_t vertices, unsigned threads);
 
+/// The same without sorting: the last tetrahedra take the numbers of those that are dropped.
+void drop_ghosts(GhostTetrahedralization& cells);
+
 /// Where sorted points come from.
 struct SortedOrigin {
   std::vector<std::uint32_t> first_input;   ///< one a sorted point: the first input point there

@@ -86,7 +86,10 @@ Tetrahedralization tetrahedralize(std::vector<Point3> points, const Tetrahedrali
     result.vertex_of_input.resize(points.size());
     return result;
   }
-  sort_and_drop_ghosts(made.cells, vertices, options.threads);
+  if (options.sorted)
+    sort_and_drop_ghosts(made.cells, vertices, options.threads);
+  else
+    drop_ghosts(made.cells);
   TetPointMesh mesh = to_mesh(std::move(made.cells), std::move(sorted.origin), std::move(points), options.threads);
   result.mesh = std::move(mesh.mesh);
   result.vertex_of_input = std::move(mesh.vertex_of_input);

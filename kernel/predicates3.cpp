@@ -126,30 +126,29 @@ StagedSign insphere_staged(const Point3& a, const Point3& b, const Point3& c, co
 
 Sign insphere_tie(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e) {
   // As incircle_tie: lifting one point by h changes the determinant by h times the orientation of the other four, in
-  // the order that keeps the sign of the permutation.
-  std::array ranked{std::pair{a, 0}, std::pair{b, 1}, std::pair{c, 2}, std::pair{d, 3}, std::pair{e, 4}};
-  std::ranges::sort(ranked, [](const auto& p, const auto& q) { return p.first > q.first; });
-  for (std::size_t i = 1; i < ranked.size(); ++i)
-    if (ranked[i].first == ranked[i - 1].first) return Sign::zero;
-  for (const auto& [point, position] : ranked) {
-    Sign s = Sign::zero;
-    switch (position) {
-      case 0:
-        s = orient3d(e, b, c, d);
-        break;
-      case 1:
-        s = orient3d(a, e, c, d);
-        break;
-      case 2:
-        s = orient3d(a, b, e, d);
-        break;
-      case 3:
-        s = orient3d(a, b, c, e);
-        break;
-      default:
-        s = -orient3d(a, b, c, d);
+  // the order that keeps the sign of the permutation: e in the place of the point lifted. The last point in
+  // lexicographic order is lifted most; if the others are coplanar, the next one decides. Comparisons are made without
+  // branches, which nothing could foretell: on grids this is asked for every third tetrahedron.
+  const auto comes_before = [](const Point3& p, const Point3& q) {
+    return (p.x < q.x) | ((p.x == q.x) & ((p.y < q.y) | ((p.y == q.y) & (p.z < q.z))));
+  };
+  const std::array points{&a, &b, &c, &d, &e};
+  std::array<unsigned, 5> left{0, 1, 2, 3, 4};
+  for (unsigned count = 5; count > 0; --count) {
+    unsigned last = 0;
+    bool equal = false;
+    for (unsigned i = 1; i < count; ++i) {
+      const Point3 &p = *points[left[last]], &q = *points[left[i]];
+      const bool before = comes_before(p, q);
+      equal |= !before & !comes_before(q, p);
+      last = before ? i : last;
     }
-    if (s != Sign::zero) return s;
+    if (equal) return Sign::zero;
+    const unsigned lifted = std::exchange(left[last], left[count - 1]);
+    std::array others{&a, &b, &c, &d};
+    if (lifted < 4) others[lifted] = &e;
+    const Sign s = orient3d(*others[0], *others[1], *others[2], *others[3]);
+    if (s != Sign::zero) return lifted < 4 ? s : -s;
   }
   return Sign::zero;
 }
