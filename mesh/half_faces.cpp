@@ -46,15 +46,14 @@ std::array<VertexId, 4> lows_of(const std::array<VertexId, 4>& corners) {
 }  // namespace
 
 std::span<const HalfFace> HalfFaceTable::find(const std::array<VertexId, 3>& face) const {
-  const auto& [low, middle, high] = face;
-  if (low.index() + 1 >= first.size()) return {};
-  const auto group =
-      std::span(entries).subspan(first[low.index()], first[low.index() + 1] - first[low.index()]);
+  const std::size_t low = face[0].index();
+  if (low + 1 >= first.size()) return {};
+  const auto group = std::span(entries).subspan(first[low], first[low + 1] - first[low]);
   const auto begin = std::partition_point(group.begin(), group.end(), [&](const HalfFace& h) {
-    return std::tie(h.middle, h.high) < std::tie(middle, high);
+    return std::tie(h.middle, h.high) < std::tie(face[1], face[2]);
   });
   auto end = begin;
-  while (end != group.end() && end->middle == middle && end->high == high) ++end;
+  while (end != group.end() && end->middle == face[1] && end->high == face[2]) ++end;
   return {begin, end};
 }
 

@@ -9,8 +9,8 @@
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/words.hpp"
 
-/// The invariants that meshes of triangles and of tetrahedra have in common. `cell` is the word for one cell, `cells` that
-/// for many.
+/// The invariants that meshes of triangles and of tetrahedra have in common. `cell` is the word for one cell,
+/// `cells` that for many.
 namespace leonhard::mesh::detail {
 
 template <class Mesh>

@@ -66,8 +66,8 @@ namespace mesh {
 ///   n(v) + S + n(f) + n(e)_bound = n(e) + n(v)_bound + n(phi) + n(f)_bound + H
 /// - (1.1.6), that is chi = C - H + K: n(f) + n(v) = n(e) + n(phi) + C - H + K
 /// - (1.1.7) to (1.1.9) star by star, N_b(v) being the sheets: how many stars satisfy them, beside how many there are
-/// - (1.1.10): their sum, times 2: 2 sum d_e = sum d_phi + sum F_b - 2 sum N_b + 4 n(v). (The notes' print leaves out the
-///   last term, which their (1.1.12) has.)
+/// - (1.1.10): their sum, times 2: 2 sum d_e = sum d_phi + sum F_b - 2 sum N_b + 4 n(v). (The notes' print leaves out
+///   the last term, which their (1.1.12) has.)
 /// - (1.1.11): sum d_e = 2 n(e), sum d_phi = 4 n(phi)
 /// - (1.1.12), times 4: 4 n(e) = 4 n(phi) + 4 n(v) + sum F_b - 2 sum N_b
 /// - (1.1.13), times 4: 4 n(e) = 4 n(phi) + 4 n(v) + 3 n(f)_bound - 2 n(v)_bound

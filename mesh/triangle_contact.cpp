@@ -120,7 +120,7 @@ bool in_contact(const std::array<Point3, 3>& first, const std::array<Point3, 3>&
   if (common == 3) return false;
   if (common == 2) return folded_onto_each_other(p, q);
   if (parted_by_plane(p, q, common) || parted_by_plane(q, p, common)) return false;
-  // Of two triangles with a common corner the common points are convex with it: they reach the edge opposite to it of one.
+  // Of two triangles with a common corner the common points are convex with it: they reach an edge opposite to it.
   if (common == 1) return segment_meets(p[1], p[2], q) || segment_meets(q[1], q[2], p);
   for (std::size_t i = 0; i < 3; ++i) {
     if (segment_meets(p[i], p[(i + 1) % 3], q) || segment_meets(q[i], q[(i + 1) % 3], p)) return true;

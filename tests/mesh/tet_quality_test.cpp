@@ -2,10 +2,13 @@
 #include "leonhard/mesh/tet_quality.hpp"
 
 #include <doctest/doctest.h>
+#include <gmpxx.h>
 
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <random>
+#include <utility>
 
 #include "tests/mesh/tet_shelf.hpp"
 
@@ -75,6 +78,50 @@ TEST_CASE("slivers_keep_their_digits") {
     const double face = std::sqrt(1 + 4 * h * h), inradius = 3 * (4.0 / 3 * h) / (4 * face);
     CHECK(close(q.aspect_ratio, std::sqrt(1 + h * h) / (3 * inradius)));
   }
+}
+
+TEST_CASE("slivers_in_general_position_have_the_volume_and_circumradius_of_rational_numbers") {
+  using Q3 = std::array<mpq_class, 3>;
+  const auto difference = [](const Point3& p, const Point3& q) {
+    return Q3{mpq_class(p.x) - mpq_class(q.x), mpq_class(p.y) - mpq_class(q.y),
+              mpq_class(p.z) - mpq_class(q.z)};
+  };
+  const auto product = [](const Q3& u, const Q3& v) -> mpq_class {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  };
+  const auto cross_product = [](const Q3& u, const Q3& v) {
+    return Q3{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  };
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> anywhere(-1, 1);
+  int flat = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    // Four points off the plane z = 0.3 x - 0.7 y + 5 by a little, or by what rounding does.
+    std::array<Point3, 4> p;
+    const double off = std::pow(10, -trial % 18);
+    for (Point3& q : p) {
+      q.x = anywhere(random), q.y = anywhere(random);
+      q.z = 0.3 * q.x - 0.7 * q.y + 5 + off * anywhere(random);
+    }
+    Q3 u = difference(p[1], p[0]), v = difference(p[2], p[0]);
+    const Q3 w = difference(p[3], p[0]);
+    mpq_class volume6 = product(u, cross_product(v, w));
+    if (volume6 == 0) continue;
+    if (volume6 < 0) std::swap(p[1], p[2]), std::swap(u, v), volume6 = -volume6;
+    flat += volume6 < 1e-6;
+    const Q3 vw = cross_product(v, w), wu = cross_product(w, u), uv = cross_product(u, v);
+    Vec3 to_centre;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const mpq_class sum = product(u, u) * vw[i] + product(v, v) * wu[i] + product(w, w) * uv[i];
+      (i == 0 ? to_centre.x : i == 1 ? to_centre.y : to_centre.z) = mpq_class(sum / (2 * volume6)).get_d();
+    }
+    const auto q = mesh::tet_quality(p[0], p[1], p[2], p[3]);
+    const double volume = volume6.get_d() / 6;
+    CAPTURE(volume);
+    CHECK(std::abs(q.volume / volume - 1) < 1e-12);
+    CHECK(std::abs(q.radius_edge_ratio * q.shortest_edge / norm(to_centre) - 1) < 1e-12);
+  }
+  CHECK(flat > 100);
 }
 
 TEST_CASE("angles_and_ratios_of_tetrahedra_do_not_depend_on_scale_up_to_the_ends_of_the_doubles") {
