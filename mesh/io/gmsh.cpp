@@ -31,7 +31,7 @@ void drop_unused_nodes(GmshData& data, const Lists& lists) {
     for (const GmshCell& cell : *cells)
       for (std::size_t k = 0; k < corners; ++k) used[cell.corners[k].index()] = true;
   const auto kept = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
-  if (kept == data.points.size()) return;
+  if (kept == data.points.size() || kept == 0) return;  // without cells there is more to say than that
   data.warnings.push_back(std::to_string(data.points.size() - kept) +
                           " nodes that no cell uses were left out, and the others renumbered");
   std::vector<VertexId> new_id(data.points.size());

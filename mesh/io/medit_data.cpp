@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <limits>
 #include <set>
 #include <utility>
@@ -52,11 +53,13 @@ class MeditParser {
   }
 
   MeditData parse() {
-    while (scan_.next_line()) {
+    bool more = scan_.next_line();
+    while (more) {
       const std::string keyword(scan_.word("a keyword"));
       if (keyword == "End") break;
-      read_section(keyword);
-      scan_.expect_line_end("the section");
+      if (!sections_.insert(keyword).second)
+        scan_.fail("the section " + keyword + " comes a second time", "remove one of the two");
+      more = read_section(keyword) ? next_section() : pass_over(keyword);
     }
     for (const char* section : {"MeshVersionFormatted", "Dimension", "Vertices"})
       if (!sections_.contains(section))
@@ -66,16 +69,20 @@ class MeditParser {
   }
 
  private:
-  void read_section(const std::string& keyword) {
-    if (!sections_.insert(keyword).second)
-      scan_.fail("the section " + keyword + " comes a second time", "remove one of the two");
-    if (keyword == "MeshVersionFormatted") return read_version();
-    if (keyword == "Dimension") return read_dimension();
-    if (keyword == "Vertices") return read_vertices();
-    if (keyword == "Triangles") return read_cells(data_.triangles, 3, "a triangle");
-    if (keyword == "Quadrilaterals") return read_cells(data_.quadrilaterals, 4, "a quadrilateral");
-    if (keyword == "Tetrahedra") return read_cells(data_.tetrahedra, 4, "a tetrahedron");
-    pass_over(keyword);
+  /// returns whether the section is one of those that are read
+  bool read_section(const std::string& keyword) {
+    if (keyword == "MeshVersionFormatted") return read_version(), true;
+    if (keyword == "Dimension") return read_dimension(), true;
+    if (keyword == "Vertices") return read_vertices(), true;
+    if (keyword == "Triangles") return read_cells(data_.triangles, 3, "a triangle"), true;
+    if (keyword == "Quadrilaterals") return read_cells(data_.quadrilaterals, 4, "a quadrilateral"), true;
+    if (keyword == "Tetrahedra") return read_cells(data_.tetrahedra, 4, "a tetrahedron"), true;
+    return false;
+  }
+
+  bool next_section() {
+    scan_.expect_line_end("the section");
+    return scan_.next_line();
   }
 
   void read_version() {
@@ -139,24 +146,23 @@ class MeditParser {
     }
   }
 
-  /// Numbers up to the next keyword.
-  void pass_over(const std::string& keyword) {
+  /// Lines up to the next one that begins with a letter; returns whether there is one.
+  bool pass_over(const std::string& keyword) {
     const auto& harmless = harmless_sections();
-    if (std::find(foreign_cells.begin(), foreign_cells.end(), keyword) == foreign_cells.end() &&
-        std::find(harmless.begin(), harmless.end(), keyword) == harmless.end())
+    const bool is_harmless = std::find(harmless.begin(), harmless.end(), keyword) != harmless.end();
+    if (!is_harmless && std::find(foreign_cells.begin(), foreign_cells.end(), keyword) == foreign_cells.end())
       scan_.fail("the keyword " + in_quotes(keyword) + " is not known", suggestion(keyword));
     const std::string where = scan_.where();
     const std::size_t count = read_count(1);
-    if (count > 0 && std::find(harmless.begin(), harmless.end(), keyword) == harmless.end())
+    if (count > 0 && !is_harmless)
       scan_.fail("the file has " + std::to_string(count) + " " + keyword,
                  "only tetrahedra of four vertices, triangles and quadrilaterals can be read");
     if (count > 0)
       data_.warnings.push_back(where + ": the section " + keyword + " (" + std::to_string(count) +
                                " entries) was passed over");
-    for (std::size_t i = 0; i < count; ++i) {
-      scan_.need_line("an entry of the section");
-      while (!scan_.line_done()) scan_.number("a number of the section");
-    }
+    while (scan_.next_line())
+      if (std::isalpha(static_cast<unsigned char>(scan_.rest().front())) != 0) return true;
+    return false;
   }
 
   static std::string suggestion(const std::string& keyword) {

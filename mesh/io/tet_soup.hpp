@@ -38,11 +38,14 @@ struct TetSoup {
   std::string note;    ///< added to errors, e.g. that ids in them are numbered from 0
 };
 
+/// What the listed faces of a soup are.
 enum class FaceRule {
-  faces_are_the_boundary,  ///< every face of the boundary is listed and no other
-  boundary_and_interfaces,  ///< every face of the boundary is listed; the others are interfaces, whatever their marker
-  fill_in_the_boundary  ///< inner faces are interfaces, or left out if their marker is 0; unlisted boundary faces get
-                        ///< a marker
+  /// Every face of the boundary is listed and no other.
+  faces_are_the_boundary,
+  /// Every face of the boundary is listed; the others are interfaces, whatever their marker.
+  boundary_and_interfaces,
+  /// Inner faces are interfaces, or left out if their marker is 0; unlisted boundary faces get a marker.
+  fill_in_the_boundary
 };
 
 /// Make the mesh that a file states, or say why it is none.

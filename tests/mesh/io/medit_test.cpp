@@ -64,7 +64,7 @@ TEST_CASE("medit_sections_may_come_in_any_order_and_entries_span_lines") {
 
 TEST_CASE("harmless_medit_sections_are_passed_over_with_a_warning_if_they_hold_anything") {
   const std::string text = replaced(two, "Tetrahedra",
-                                    "Edges\n2\n1 2 5\n2 3 5\nCorners 1\n1\nRidges\n0\nNormals\n1\n0 0 1.5\n"
+                                    "Edges\n2\n1 2 5\n2 3 5\nCorners 3\n1 2 3\nRidges\n0\nNormals\n1\n0 0 1.5\n"
                                     "NormalAtVertices 1\n1 1\nTetrahedra");
   const TetMeshFile file = parse(text);
   CHECK(file.mesh == parse(two).mesh);
