@@ -34,8 +34,7 @@ class GmshText final : public GmshNumbers {
 
   std::string_view text_line() override {
     scan_.expect_line_end("the numbers of the section");
-    if (!scan_.next_line()) return {};
-    line_ = scan_.rest();
+    line_ = scan_.next_line() ? scan_.rest() : std::string_view{};
     while (!scan_.line_done()) scan_.word("a word");
     return line_;
   }

@@ -176,6 +176,7 @@ TEST_CASE("gmsh_bad_text_is_refused_with_its_line") {
         old_file.substr(0, old_file.find("$EndElements")),
         {"m.msh", "ends inside the section $Elements"}},
        {"twice", old_file + "$Nodes\n0\n$EndNodes\n", {"m.msh", "second time"}},
+       {"data cut short", old_file + "$NodeData\n1\n\"t\"\n", {"m.msh:30", "$EndNodeData", "cut short"}},
        {"partitioned", old_file + "$PartitionedEntities\n", {"m.msh", "partitioned"}},
        {"no section", old_file + "hello\n", {"m.msh:28", "hello"}},
        {"blocks", replaced(new_file, "$Nodes\n3 6", "$Nodes\n3 5"), {"m.msh", "more nodes than"}},
