@@ -67,6 +67,24 @@ namespace leonhard::mesh {
 /// Cost O(vertices + tetrahedra + boundary log boundary).
 [[nodiscard]] std::optional<std::string> validate(const TetMesh& mesh);
 
+/// Whether tetrahedra overlap although each one is positive: the words for the first place found, none if the mesh lies
+/// properly in space.
+///
+/// mesh    `validate` finds nothing wrong with it
+///
+/// Argument. As in the plane, the number of tetrahedra over a place off the faces is the winding number of the boundary
+/// about it, and the mesh lies properly if that is 0 or 1 everywhere. First no two boundary faces may meet but in common
+/// corners and edges, or be the same (touching back to back); corners are common if their coordinates are equal. Then
+/// the number just inside the boundary is the same all over a patch of faces that hang together by edges, and is found
+/// at one place a patch, infinitesimally near a face; if it is 1 on every patch, no place is covered twice. All by
+/// comparisons, exact orient3d and orient2d; no place is computed.
+///
+/// Parts of the boundary may touch in vertices, edges and faces, shared or of equal coordinates; a vertex inside another
+/// boundary edge or face is reported (a hanging node).
+///
+/// Cost O(tetrahedra + boundary log boundary) where boundary faces are about as large as their distances.
+[[nodiscard]] std::optional<std::string> validate_embedding(const TetMesh& mesh);
+
 /// The first face that is not locally Delaunay, in words: the opposite corner of one of its tetrahedra lies strictly
 /// inside the circumsphere of the other, by exact insphere. Faces in mesh.interfaces are excepted. A mesh that passes,
 /// and that fills the convex hull of its points (validate_convex), is a Delaunay tetrahedralisation of them (Delaunay's

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <tuple>
 #include <vector>
 
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/mesh/boundary_sides.hpp"
 #include "leonhard/mesh/half_faces.hpp"
 #include "leonhard/mesh/tet_invariants.hpp"
 #include "leonhard/mesh/validate.hpp"
@@ -107,27 +107,10 @@ std::optional<std::string> face_not_seen_from(const TetMesh& mesh, const InnerPl
   return std::nullopt;
 }
 
-/// An edge of a boundary face, ascending, the face's third corner, and the face.
-struct BoundarySide {
-  VertexId low, high, apex;
-  std::size_t face;
-};
-
 /// An edge of the boundary that is reflex, in words. The boundary is the surface of a star-shaped set, so each edge has
 /// two faces.
 std::optional<std::string> reflex_edge(const TetMesh& mesh) {
-  std::vector<BoundarySide> sides;
-  sides.reserve(3 * mesh.boundary.size());
-  for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
-    const auto& corners = mesh.boundary[f].corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const VertexId from = corners[(i + 1) % 3], to = corners[(i + 2) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), corners[i], f});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const BoundarySide& s, const BoundarySide& t) {
-    return std::tie(s.low, s.high, s.face) < std::tie(t.low, t.high, t.face);
-  });
+  const auto sides = boundary_sides(mesh);
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
     const auto& [a, b, c] = mesh.boundary[sides[i].face].corners;
     const VertexId beyond = sides[i + 1].apex;
