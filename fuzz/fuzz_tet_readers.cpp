@@ -68,7 +68,8 @@ constexpr const char* gmsh_with_gaps =
     "$NodeData\n1\n\"t\"\n$EndNodeData\n";
 
 constexpr const char* plane_gmsh =
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 2\n2 1 0 2\n3 1 1 2\n4 0 1 2\n9 2 0 2\n$EndNodes\n"
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 2\n2 1 0 2\n3 1 1 2\n4 0 1 2\n9 2 0 "
+    "2\n$EndNodes\n"
     "$Elements\n4\n1 1 2 6 1 1 2\n2 1 2 -7 2 1 3\n3 3 2 8 1 1 2 3 4\n4 2 2 9 2 2 9 3\n$EndElements\n";
 
 constexpr const char* medit =
@@ -143,6 +144,8 @@ auto sorted(const std::vector<MarkedEdge>& edges) {
 template <class Mesh>
 void check(Mesh mesh, Mesh again, std::string_view text) {
   if (const auto broken = mesh::validate(mesh)) report("a reader returned an invalid mesh: " + *broken, text);
+  if (const auto overlap = mesh::validate_embedding(mesh))
+    report("a reader returned a tangled mesh: " + *overlap, text);
   mesh.boundary = sorted(mesh.boundary);
   again.boundary = sorted(again.boundary);
   const bool same = mesh.points == again.points && mesh.corners == again.corners &&

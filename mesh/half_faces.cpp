@@ -46,7 +46,7 @@ std::array<VertexId, 4> lows_of(const std::array<VertexId, 4>& corners) {
 }  // namespace
 
 std::span<const HalfFace> HalfFaceTable::find(const std::array<VertexId, 3>& face) const {
-  const auto& [low, middle, high] = face;
+  const VertexId low = face[0], middle = face[1], high = face[2];  // clang 14 captures no structured bindings
   if (low.index() + 1 >= first.size()) return {};
   const auto group =
       std::span(entries).subspan(first[low.index()], first[low.index() + 1] - first[low.index()]);

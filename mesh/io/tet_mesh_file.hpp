@@ -9,8 +9,8 @@
 
 namespace leonhard {
 
-/// What a reader of tetrahedral meshes returns: a mesh that passes `mesh::validate`, and in words what had to be decided
-/// on the way (tetrahedra turned over, boundary faces without a marker, ...).
+/// What a reader of tetrahedral meshes returns: a mesh that passes `mesh::validate` and `mesh::validate_embedding`, and
+/// in words what had to be decided on the way (tetrahedra turned over, boundary faces without a marker, ...).
 struct TetMeshFile {
   TetMesh mesh;
   std::vector<std::string> warnings;
@@ -22,8 +22,8 @@ namespace io {
 /// (Medit's), .vtu, .su2, .msh (Gmsh's).
 ///
 /// throws InputError naming file, line, ids and coordinates: file missing, empty or cut short, unknown extension, a mesh
-/// of the plane, other cells than tetrahedra, NaN, ids out of range, tetrahedra of no volume, inverted or given twice,
-/// faces of three tetrahedra
+/// of the plane, other cells than tetrahedra, NaN, ids out of range, tetrahedra of no volume, inverted, overlapping or
+/// given twice, faces of three tetrahedra
 [[nodiscard]] TetMeshFile read_tet_mesh(const std::filesystem::path& path);
 
 /// Write a tetrahedral mesh, format by extension as in read_tet_mesh. The target appears whole or not at all. The mesh

@@ -202,6 +202,9 @@ TetMeshFile assemble(TetSoup soup, FaceRule rule) {
     TetMeshFile result;
     orient_cells(soup, result.warnings);
     result.mesh = checked_mesh(soup, rule, result.warnings);
+    if (const auto overlap = mesh::validate_embedding(result.mesh))
+      throw InputError(soup.source, "the mesh is tangled: " + *overlap,
+                       "correct the coordinates or the tetrahedra there");
     return result;
   } catch (const InputError& error) {
     if (soup.note.empty()) throw;

@@ -55,7 +55,7 @@ enum class FaceRule {
 /// has. The warnings tell each of these.
 ///
 /// throws InputError naming line, ids and coordinates: id out of range, a tetrahedron of no volume or given twice,
-/// tetrahedra of unlike orientation, a face given twice, and all that make_tet_mesh refuses
+/// tetrahedra of unlike orientation, a face given twice, and all that make_tet_mesh and validate_embedding refuse
 /// Cost O(cells + boundary log boundary).
 [[nodiscard]] TetMeshFile assemble(TetSoup soup, FaceRule rule);
 

@@ -53,6 +53,7 @@ inline void check_same_geometry_and_boundary(const TetMesh& a, const TetMesh& b)
   CHECK(a.neighbours == b.neighbours);
   CHECK(sorted(a.boundary) == sorted(b.boundary));
   CHECK(a.marker_names == b.marker_names);
+  CHECK(mesh::fingerprint(a) == mesh::fingerprint(b));
   CHECK_FALSE(mesh::validate(b));
 }
 

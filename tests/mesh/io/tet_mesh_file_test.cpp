@@ -212,3 +212,18 @@ TEST_CASE("soups_that_are_no_mesh_are_refused_with_ids_and_lines") {
       "comes a second time, after line 5 (markers 1 and 2)");
   has(complaint([](io::TetSoup& s) { s.faces.pop_back(); }), "has no marker");
 }
+
+TEST_CASE("tetrahedra_that_overlap_are_refused_though_each_is_positive") {
+  io::TetSoup soup = soup_of(two_tets());
+  const io::TetSoup again = soup_of(two_tets());  // the same, a little aside
+  for (Point3 p : again.points) soup.points.push_back({p.x + 0.25, p.y, p.z});
+  const auto moved = [](auto corners) {
+    for (VertexId& v : corners) v.raw += 5;
+    return corners;
+  };
+  for (const io::TetCell& cell : again.cells) soup.cells.push_back({moved(cell.corners), 0});
+  for (const io::TetFace& face : again.faces) soup.faces.push_back({moved(face.corners), face.marker});
+  CHECK(refusal([&] {
+          (void)io::assemble(soup, io::FaceRule::faces_are_the_boundary);
+        }).find("soup: the mesh is tangled: ") == 0);
+}
