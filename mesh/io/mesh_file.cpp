@@ -2,6 +2,7 @@
 #include "leonhard/mesh/io/mesh_file.hpp"
 
 #include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/gmsh.hpp"
 #include "leonhard/mesh/io/su2.hpp"
 #include "leonhard/mesh/io/triangle_files.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
@@ -9,7 +10,7 @@
 namespace leonhard::io {
 
 const std::vector<std::string>& mesh_extensions() {
-  static const std::vector<std::string> known{".su2", ".vtu", ".node", ".ele", ".poly"};
+  static const std::vector<std::string> known{".su2", ".vtu", ".node", ".ele", ".poly", ".msh"};
   return known;
 }
 
@@ -17,6 +18,7 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   const std::string extension = known_extension(path, mesh_extensions(), "mesh");
   if (extension == ".su2") return read_su2(path);
   if (extension == ".vtu") return read_vtu(path);
+  if (extension == ".msh") return read_gmsh(path);
   return read_triangle_files(path);
 }
 
@@ -24,6 +26,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
   const std::string extension = known_extension(path, mesh_extensions(), "mesh");
   if (extension == ".su2") return write_su2(path, mesh);
   if (extension == ".vtu") return write_vtu(path, mesh);
+  if (extension == ".msh") return write_gmsh(path, mesh);
   return write_triangle_files(path, mesh);
 }
 

@@ -19,7 +19,7 @@ struct MeshFile {
 namespace io {
 
 /// Read a triangle mesh, format by extension: .su2, .vtu, .node or .ele (Triangle's pair, with .poly or .edge
-/// beside it for the markers).
+/// beside it for the markers), .msh (Gmsh's).
 ///
 /// throws InputError naming file, line, ids and coordinates: file missing, empty or cut short, unknown
 /// extension, NaN, ids out of range, zero-area, inverted or overlapping cells, boundary edges without a
@@ -33,7 +33,7 @@ namespace io {
 /// header), OutputError if the file cannot be written
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
-/// ".su2", ".vtu", ".node", ".ele", ".poly": what read_mesh and write_mesh know.
+/// ".su2", ".vtu", ".node", ".ele", ".poly", ".msh": what read_mesh and write_mesh know.
 [[nodiscard]] const std::vector<std::string>& mesh_extensions();
 
 }  // namespace io
