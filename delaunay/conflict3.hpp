@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <span>
 
 #include "leonhard/delaunay/ghost_tetrahedralization.hpp"
@@ -38,21 +40,31 @@ namespace leonhard::delaunay {
                                     points[c[3].index()], p) == Sign::positive;
 }
 
-/// The tetrahedron that holds p, reached by a visibility walk from `from`; or a ghost with p strictly beyond its face.
-/// No walk comes back to a tetrahedron in a Delaunay tetrahedralisation, ties broken by any lifting (Edelsbrunner 1990),
-/// so it ends there.
-[[nodiscard]] inline TetId walk(const GhostTetrahedralization& in, std::span<const Point3> points, TetId from,
-                                const Point3& p) {
-  TetId t = in.is_ghost(from) ? *in.neighbours[from][0] : from;
+/// Take up to `steps` steps of a visibility walk towards p: over a face that has p strictly behind it.
+///
+/// t        where it began, and where it arrived: real, or a ghost with p strictly beyond its face
+/// returns  whether t is the answer of walk
+inline bool walk_some(const GhostTetrahedralization& in, std::span<const Point3> points, TetId& t, const Point3& p,
+                      std::size_t steps) {
+  if (in.is_ghost(t)) t = *in.neighbours[t][0];
   unsigned entered = 4;  // p is known to be on the inner side of this face
-  while (!in.is_ghost(t)) {
+  while (true) {
     unsigned i = 0;
     while (i < 4 && (i == entered || side_of_face(in, points, t, i, p) != Sign::negative)) ++i;
-    if (i == 4) return t;
+    if (i == 4) return true;
+    if (steps-- == 0) return false;
     entered = mirror_index(in, t, i);
     t = *in.neighbours[t][i];
+    if (in.is_ghost(t)) return true;
   }
-  return t;
+}
+
+/// The tetrahedron that holds p; or a ghost with p strictly beyond its face. No walk comes back to a tetrahedron in a
+/// Delaunay tetrahedralisation, ties broken by any lifting (Edelsbrunner 1990), so it ends.
+[[nodiscard]] inline TetId walk(const GhostTetrahedralization& in, std::span<const Point3> points, TetId from,
+                                const Point3& p) {
+  walk_some(in, points, from, p, std::numeric_limits<std::size_t>::max());
+  return from;
 }
 
 }  // namespace leonhard::delaunay

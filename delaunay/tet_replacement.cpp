@@ -16,7 +16,10 @@ void TetReplacement::add_face(const TetCorners& corners, unsigned opposite, TetI
 
 void TetReplacement::choose_places(GhostTetrahedralization& in, std::vector<TetId>& spare) {
   made_.assign(old_.begin(), old_.begin() + static_cast<std::ptrdiff_t>(std::min(old_.size(), corners_.size())));
-  spare.insert(spare.end(), old_.begin() + static_cast<std::ptrdiff_t>(made_.size()), old_.end());
+  for (std::size_t i = made_.size(); i < old_.size(); ++i) {
+    in.corners[old_[i]].fill(GhostTetrahedralization::ghost);
+    spare.push_back(old_[i]);
+  }
   while (made_.size() < corners_.size()) {
     if (spare.empty()) {
       in.neighbours.push_back({});

@@ -28,7 +28,8 @@ class TetReplacement {
   /// Do it. What comes must have the outer faces of what goes, and all its other faces in pairs; no face within what
   /// goes may have the corners of one of what comes.
   ///
-  /// spare  tetrahedra that are not in use: taken where more come than go, added to where fewer do
+  /// spare  tetrahedra that are not in use: taken where more come than go, added to where fewer do; their corners are
+  ///        all the ghost
   /// Cost O(k log k) for k tetrahedra.
   void apply(GhostTetrahedralization& in, std::vector<TetId>& spare);
 
