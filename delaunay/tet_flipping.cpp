@@ -182,21 +182,9 @@ bool Flipper::try_flip_beyond(VertexId v, TetId t) {
   return true;
 }
 
-/// The tetrahedra in use, renumbered.
 GhostTetrahedralization Flipper::finish() {
-  std::vector<bool> in_use(in_.tet_count(), true);
-  for (const TetId t : spare_) in_use[t.index()] = false;
-  std::vector<MaybeId<TetId>> new_id(in_.tet_count());
-  GhostTetrahedralization result;
-  for (const TetId t : in_.corners.ids())
-    if (in_use[t.index()]) new_id[t.index()] = result.corners.push_back(in_.corners[t]);
-  for (const TetId t : in_.corners.ids()) {
-    if (!in_use[t.index()]) continue;
-    std::array<MaybeId<TetId>, 4> neighbours = in_.neighbours[t];
-    for (auto& n : neighbours) n = new_id[(*n).index()];
-    result.neighbours.push_back(neighbours);
-  }
-  return result;
+  in_.erase(std::move(spare_));
+  return std::move(in_);
 }
 
 TetrahedralizeOutcome flat_outcome(std::size_t points, SpaceExtent extent) {
