@@ -17,8 +17,8 @@ namespace leonhard::delaunay {
 /// one opposite corner 0 is.
 ///
 /// returns  positive on the side of t (for a ghost: beyond the hull), zero in the plane of the face
-[[nodiscard]] inline Sign side_of_face(const GhostTetrahedralization& in, std::span<const Point3> points, TetId t,
-                                       unsigned i, const Point3& p) {
+[[nodiscard]] inline Sign side_of_face(const GhostTetrahedralization& in, std::span<const Point3> points,
+                                       TetId t, unsigned i, const Point3& p) {
   const TetCorners& c = in.corners[t];
   const auto at = [&](unsigned k) -> const Point3& { return k == i ? p : points[c[k].index()]; };
   return kernel::orient3d(at(0), at(1), at(2), at(3));
@@ -28,8 +28,8 @@ namespace leonhard::delaunay {
 /// sphere of a ghost tetrahedron is the open half space beyond its face and, in the plane of the face, what the real
 /// tetrahedron behind it has inside its own; which is the circumcircle of the face, ties broken the same way whatever
 /// lies behind.
-[[nodiscard]] inline bool in_conflict(const GhostTetrahedralization& in, std::span<const Point3> points, TetId t,
-                                      const Point3& p) {
+[[nodiscard]] inline bool in_conflict(const GhostTetrahedralization& in, std::span<const Point3> points,
+                                      TetId t, const Point3& p) {
   if (in.is_ghost(t)) {
     const Sign side = side_of_face(in, points, t, 0, p);
     if (side != Sign::zero) return side == Sign::positive;
@@ -44,8 +44,8 @@ namespace leonhard::delaunay {
 ///
 /// t        where it began, and where it arrived: real, or a ghost with p strictly beyond its face
 /// returns  whether t is the answer of walk
-inline bool walk_some(const GhostTetrahedralization& in, std::span<const Point3> points, TetId& t, const Point3& p,
-                      std::size_t steps) {
+inline bool walk_some(const GhostTetrahedralization& in, std::span<const Point3> points, TetId& t,
+                      const Point3& p, std::size_t steps) {
   if (in.is_ghost(t)) t = *in.neighbours[t][0];
   unsigned entered = 4;  // p is known to be on the inner side of this face
   while (true) {

@@ -42,7 +42,7 @@ class CoplanarPoints {
   void find_basis();
 
   Map vertices_;
-  FirstTetrahedron basis_;            // of basis_points_
+  FirstTetrahedron basis_;              // of basis_points_
   std::array<Point3, 4> basis_points_;  // that span what all do
 };
 

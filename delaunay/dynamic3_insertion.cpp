@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "leonhard/delaunay/conflict3.hpp"
 #include "leonhard/delaunay/dynamic_tetrahedralization.hpp"
@@ -25,13 +27,15 @@ void require_room(std::size_t vertices) {
 void require_finite(std::span<const Point3> points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!is_finite(points[i]))
-      throw InputError("insert", "point " + std::to_string(i) + " has the coordinates " + mesh::words(points[i]),
+      throw InputError("insert",
+                       "point " + std::to_string(i) + " has the coordinates " + mesh::words(points[i]),
                        "give finite numbers (counted from 0)");
 }
 
 }  // namespace
 
-DynamicTetrahedralization::Inserted DynamicTetrahedralization::insert(const Point3& p, MaybeId<VertexId> hint) {
+DynamicTetrahedralization::Inserted DynamicTetrahedralization::insert(const Point3& p,
+                                                                      MaybeId<VertexId> hint) {
   Search search = search_for(p, hint);
   if (!has_tets()) return insert_flat(p);
   const TetId found = find(p, search);
@@ -71,23 +75,40 @@ DynamicTetrahedralization::Inserted DynamicTetrahedralization::insert_flat(const
   const bool leaves_plane = extent() == SpaceExtent::plane && !flat_.spans(p);
   const VertexId v = new_vertex(p);
   if (leaves_plane)
-    rise_to_space(1);
+    build(1);
   else
     flat_.insert(p, v);
   return {v, true};
 }
 
-/// Tetrahedra between all vertices, which span space.
-void DynamicTetrahedralization::rise_to_space(unsigned threads) {
+/// Tetrahedra between all vertices if they span space, else all of them into flat_.
+void DynamicTetrahedralization::build(unsigned threads) {
   flat_.clear();
-  std::vector<VertexId> ids(vertices().begin(), vertices().end());
-  std::vector<Point3> points;
-  for (const VertexId v : ids) points.push_back(points_[v]);
-  const std::vector<std::uint32_t> order = kernel::hilbert_order(points);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    ids[i] = VertexId{order[i]};  // for a moment: where its id was
-    points[i] = points_[ids[i]];
+  std::vector<VertexId> ids, sorted_ids;
+  std::vector<Point3> points, sorted;
+  for (const VertexId v : vertices()) {
+    ids.push_back(v);
+    points.push_back(points_[v]);
   }
+  for (const std::uint32_t i : kernel::hilbert_order(points)) {
+    sorted_ids.push_back(ids[i]);
+    sorted.push_back(points[i]);
+  }
+  TetAlgorithmOptions options;
+  options.threads = threads;
+  PointTetrahedralization made = tetrahedralize_distinct(sorted, TetAlgorithm::insertion, options);
+  if (made.outcome != TetrahedralizeOutcome::done) {
+    for (const VertexId v : ids) flat_.insert(points_[v], v);
+    return;
+  }
+  cells_ = std::move(made.cells);
+  spare_.clear();
+  for (const TetId t : cells_.corners.ids()) {
+    for (VertexId& v : cells_.corners[t])
+      if (v != ghost) v = sorted_ids[v.index()];
+    set_tets_of(t);
+  }
+  last_ = ids.front();
 }
 
 std::vector<VertexId> DynamicTetrahedralization::insert(std::span<const Point3> points, unsigned threads) {
@@ -104,6 +125,20 @@ std::vector<VertexId> DynamicTetrahedralization::insert(std::span<const Point3> 
     last = vertex_of[i];
   }
   return vertex_of;
+}
+
+void DynamicTetrahedralization::insert_first(std::span<const Point3> points, std::vector<VertexId>& vertex_of,
+                                             unsigned threads) {
+  std::vector<std::size_t> first_there(
+      points.size());  // equal points are neighbours in the order, the first one first
+  const std::vector<std::uint32_t> order = kernel::hilbert_order(points);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    first_there[order[k]] =
+        k > 0 && points[order[k]] == points[order[k - 1]] ? first_there[order[k - 1]] : order[k];
+  clear();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    vertex_of[i] = first_there[i] == i ? new_vertex(points[i]) : vertex_of[first_there[i]];
+  build(threads);
 }
 
 }  // namespace leonhard::delaunay

@@ -117,7 +117,7 @@ class DynamicTetrahedralization {
   [[nodiscard]] bool on_hull(VertexId v) const;
 
   struct Mesh {
-    TetMesh mesh;                                ///< empty unless there are tetrahedra; boundary faces have marker 1
+    TetMesh mesh;  ///< empty unless there are tetrahedra; boundary faces have marker 1
     std::vector<MaybeId<VertexId>> mesh_vertex;  ///< one an id: its vertex in the mesh, in the order of ids
   };
   [[nodiscard]] Mesh to_mesh() const;
@@ -170,9 +170,10 @@ class DynamicTetrahedralization {
   Inserted insert_flat(const Point3& p);
   VertexId insert_in_space(const Point3& p, TetId destroyed);
   void insert_first(std::span<const Point3> points, std::vector<VertexId>& vertex_of, unsigned threads);
-  void rise_to_space(unsigned threads);
-  void fall_flat(VertexId v);
-  void fill_hole(VertexId v, std::span<const VertexId> link);
+  void build(unsigned threads);
+  void fall_flat(VertexId removed);
+  void fill_with_ghosts(VertexId v);
+  void fill_with_tets(VertexId v, std::span<const VertexId> link, const GhostTetrahedralization& without_v);
   void set_tets_of(TetId t);
 
   [[nodiscard]] std::optional<std::string> broken_id() const;
@@ -185,10 +186,11 @@ class DynamicTetrahedralization {
   PerId<VertexId, TetId> tets_;     // in space: of each vertex a tetrahedron, maybe a ghost
   std::vector<VertexId> free_;      // removed, to be used again
   CoplanarPoints flat_;             // all vertices, unless there are tetrahedra
-  GhostTetrahedralization cells_;   // empty unless there are tetrahedra; those out of use have the ghost at all corners
-  std::vector<TetId> spare_;        // numbers of cells_ out of use
-  TetId ghost_tet_{};               // in space: a ghost
-  VertexId last_{};                 // in space: where something was changed last
+  GhostTetrahedralization
+      cells_;  // empty unless there are tetrahedra; those out of use have the ghost at all corners
+  std::vector<TetId> spare_;  // numbers of cells_ out of use
+  TetId ghost_tet_{};         // in space: a ghost
+  VertexId last_{};           // in space: where something was changed last
   TetCavity cavity_;
   TetReplacement replacement_;
   TetStar star_;

@@ -33,10 +33,10 @@ class TetCavity {
   enum class Mark : std::uint8_t { none, destroyed, kept };
   /// A face between the cavity and a tetrahedron that stays.
   struct Wall {
-    TetCorners corners;    ///< of the cone
-    unsigned face;         ///< which face of the cone it is
-    TetId outer;           ///< behind it
-    unsigned outer_face;   ///< which face of the outer one
+    TetCorners corners;   ///< of the cone
+    unsigned face;        ///< which face of the cone it is
+    TetId outer;          ///< behind it
+    unsigned outer_face;  ///< which face of the outer one
   };
   /// What two cones have in common besides the new vertex.
   struct Edge {

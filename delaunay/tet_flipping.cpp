@@ -54,8 +54,9 @@ class Flipper {
 
   std::span<const Point3> points_;
   GhostTetrahedralization in_;
-  std::vector<TetId> spare_;     // out of use
-  std::vector<TetId> joining_;   // what v takes over next: one tetrahedron, or all that have carrier_ in common
+  std::vector<TetId> spare_;  // out of use
+  std::vector<TetId>
+      joining_;  // what v takes over next: one tetrahedron, or all that have carrier_ in common
   std::vector<VertexId> carrier_;
   std::vector<TetId> suspects_;  // with v: the face opposite to it may not be Delaunay
   TetReplacement replacement_;
@@ -65,7 +66,8 @@ class Flipper {
 void Flipper::start(const std::array<VertexId, 4>& corners) {
   replacement_.start();
   replacement_.put(corners);
-  for (const auto& [a, b, c] : tet_face_corners) replacement_.put({ghost, corners[a], corners[c], corners[b]});
+  for (const auto& [a, b, c] : tet_face_corners)
+    replacement_.put({ghost, corners[a], corners[c], corners[b]});
   replacement_.apply(in_, spare_);
 }
 
@@ -176,7 +178,8 @@ bool Flipper::try_flip_beyond(VertexId v, TetId t) {
   }
   // With one edge in common, the corner opposite to it must not be on the disc's rim already.
   const VertexId opposite = in_.corners[t][last];
-  if (shared == 1 && !turn_about_edge(in_, behind(t, last), ghost, v, [&](TetId about) { return !has(about, opposite); }))
+  if (shared == 1 &&
+      !turn_about_edge(in_, behind(t, last), ghost, v, [&](TetId about) { return !has(about, opposite); }))
     return false;
   join_one(v, t);
   return true;
@@ -189,12 +192,14 @@ GhostTetrahedralization Flipper::finish() {
 
 TetrahedralizeOutcome flat_outcome(std::size_t points, SpaceExtent extent) {
   if (points < 4) return TetrahedralizeOutcome::too_few_points;
-  return extent == SpaceExtent::plane ? TetrahedralizeOutcome::all_coplanar : TetrahedralizeOutcome::all_collinear;
+  return extent == SpaceExtent::plane ? TetrahedralizeOutcome::all_coplanar
+                                      : TetrahedralizeOutcome::all_collinear;
 }
 
 }  // namespace
 
-PointTetrahedralization tetrahedralize_flipping(std::span<const Point3> points, const TetAlgorithmOptions& options) {
+PointTetrahedralization tetrahedralize_flipping(std::span<const Point3> points,
+                                                const TetAlgorithmOptions& options) {
   constexpr std::size_t poll = 1024;
   const std::vector<std::uint32_t> order = kernel::brio_order(points, options.seed);
   const FirstTetrahedron first = first_tetrahedron(points, order);

@@ -21,6 +21,7 @@ namespace leonhard::delaunay {
 /// Method: B. Joe, "Construction of three-dimensional Delaunay triangulations using local transformations", CAGD 8
 /// (1991); H. Edelsbrunner and N. R. Shah, "Incremental topological flipping works for regular triangulations",
 /// Algorithmica 15 (1996).
-PointTetrahedralization tetrahedralize_flipping(std::span<const Point3> points, const TetAlgorithmOptions& options);
+PointTetrahedralization tetrahedralize_flipping(std::span<const Point3> points,
+                                                const TetAlgorithmOptions& options);
 
 }  // namespace leonhard::delaunay

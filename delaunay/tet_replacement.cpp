@@ -6,8 +6,10 @@
 
 namespace leonhard::delaunay {
 
-void TetReplacement::add_face(const TetCorners& corners, unsigned opposite, TetId t, unsigned i, bool is_old) {
-  std::array<VertexId, 3> key{corners[(opposite + 1) % 4], corners[(opposite + 2) % 4], corners[(opposite + 3) % 4]};
+void TetReplacement::add_face(const TetCorners& corners, unsigned opposite, TetId t, unsigned i,
+                              bool is_old) {
+  std::array<VertexId, 3> key{corners[(opposite + 1) % 4], corners[(opposite + 2) % 4],
+                              corners[(opposite + 3) % 4]};
   if (key[1] < key[0]) std::swap(key[0], key[1]);
   if (key[2] < key[1]) std::swap(key[1], key[2]);
   if (key[1] < key[0]) std::swap(key[0], key[1]);
@@ -15,7 +17,8 @@ void TetReplacement::add_face(const TetCorners& corners, unsigned opposite, TetI
 }
 
 void TetReplacement::choose_places(GhostTetrahedralization& in, std::vector<TetId>& spare) {
-  made_.assign(old_.begin(), old_.begin() + static_cast<std::ptrdiff_t>(std::min(old_.size(), corners_.size())));
+  made_.assign(old_.begin(),
+               old_.begin() + static_cast<std::ptrdiff_t>(std::min(old_.size(), corners_.size())));
   for (std::size_t i = made_.size(); i < old_.size(); ++i) {
     in.corners[old_[i]].fill(GhostTetrahedralization::ghost);
     spare.push_back(old_[i]);

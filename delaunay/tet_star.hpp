@@ -33,7 +33,9 @@ class TetStar {
   void collect(const GhostTetrahedralization& in, TetId t, VertexId v);
 
   [[nodiscard]] std::span<const TetId> tets() const { return tets_; }  ///< ghosts among them
-  [[nodiscard]] std::span<const VertexId> neighbours() const { return neighbours_; }  ///< the ghost maybe among them
+  [[nodiscard]] std::span<const VertexId> neighbours() const {
+    return neighbours_;
+  }  ///< the ghost maybe among them
 
  private:
   std::vector<TetId> tets_;

@@ -25,7 +25,8 @@ TEST_CASE("the_extent_of_points_is_told_exactly") {
   CHECK(first_tetrahedron(Points{{0, 0, 0}, {0, 1, 0}, {0, 2, 5e-324}}).extent == SpaceExtent::plane);
   CHECK(first_tetrahedron(Points{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, -1, 0}, {1, 1, -1}}).extent ==
         SpaceExtent::plane);
-  CHECK(first_tetrahedron(Points{{1e300, 0, 0}, {0, 1e300, 0}, {0, 0, 1e300}, {1e300, 1e300, -1e300}, {0, 0, 5e-324}})
+  CHECK(first_tetrahedron(
+            Points{{1e300, 0, 0}, {0, 1e300, 0}, {0, 0, 1e300}, {1e300, 1e300, -1e300}, {0, 0, 5e-324}})
             .extent == SpaceExtent::space);
 }
 

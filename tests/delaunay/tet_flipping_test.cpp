@@ -87,7 +87,8 @@ TEST_CASE("the_order_of_insertion_does_not_enter") {
 
 TEST_CASE("the_tetrahedra_of_a_grid_fill_it") {
   mpq_class sum = 0;
-  for (oracles::TetPoints t : flipped_tets(shapes3::shuffled(shapes3::grid(5, 4, 4), 3))) sum += abs(oracles::volume6(t));
+  for (oracles::TetPoints t : flipped_tets(shapes3::shuffled(shapes3::grid(5, 4, 4), 3)))
+    sum += abs(oracles::volume6(t));
   CHECK(sum == 6 * 4 * 3 * 3);
 }
 
@@ -96,7 +97,9 @@ TEST_CASE("skew_lines_are_joined_piece_by_piece") {
 }
 
 TEST_CASE("points_that_span_no_tetrahedron_are_an_outcome") {
-  const auto outcome = [](const std::vector<Point3>& points) { return tetrahedralize_flipping(points, {}).outcome; };
+  const auto outcome = [](const std::vector<Point3>& points) {
+    return tetrahedralize_flipping(points, {}).outcome;
+  };
   CHECK(outcome({}) == TetrahedralizeOutcome::too_few_points);
   CHECK(outcome({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == TetrahedralizeOutcome::too_few_points);
   CHECK(outcome({{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {3, 6, 9}}) == TetrahedralizeOutcome::all_collinear);

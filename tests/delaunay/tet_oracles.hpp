@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -30,7 +28,8 @@ inline std::vector<TetPoints> sorted_tets(std::vector<TetPoints> tets) {
 }
 
 /// The real tetrahedra.
-inline std::vector<TetPoints> tet_set(const delaunay::GhostTetrahedralization& cells, std::span<const Point3> points) {
+inline std::vector<TetPoints> tet_set(const delaunay::GhostTetrahedralization& cells,
+                                      std::span<const Point3> points) {
   std::vector<TetPoints> tets;
   for (const TetId t : cells.corners.ids()) {
     if (cells.is_ghost(t)) continue;
@@ -70,7 +69,8 @@ inline mpq_class volume6(const TetPoints& t) {
     m[i][1] = mpq_class(t[i + 1].y) - mpq_class(t[0].y);
     m[i][2] = mpq_class(t[i + 1].z) - mpq_class(t[0].z);
   }
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
@@ -85,8 +85,8 @@ inline std::optional<std::string> broken_geometry(const delaunay::GhostTetrahedr
     const auto& c = cells.corners[t];
     for (const VertexId v : c)
       if (v != delaunay::GhostTetrahedralization::ghost) used[v.index()] = true;
-    if (!cells.is_ghost(t) && kernel::orient3d(points[c[0].index()], points[c[1].index()], points[c[2].index()],
-                                               points[c[3].index()]) != Sign::positive)
+    if (!cells.is_ghost(t) && kernel::orient3d(points[c[0].index()], points[c[1].index()],
+                                               points[c[2].index()], points[c[3].index()]) != Sign::positive)
       return name + " is not positive";
     for (unsigned i = 0; i < 4; ++i) {
       const TetId n = *cells.neighbours[t][i];
