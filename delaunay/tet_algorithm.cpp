@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/tet_algorithm.hpp"
 
+#include "leonhard/delaunay/tet_flipping.hpp"
 #include "leonhard/delaunay/tet_insertion.hpp"
 
 namespace leonhard::delaunay {
@@ -17,7 +18,7 @@ PointTetrahedralization tetrahedralize_distinct(std::span<const Point3> points, 
     case TetAlgorithm::insertion:
       return tetrahedralize_insertion(points, options);
     case TetAlgorithm::flipping:
-      return tetrahedralize_insertion(points, options);
+      return tetrahedralize_flipping(points, options);
   }
   return {};
 }

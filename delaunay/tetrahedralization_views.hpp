@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "leonhard/delaunay/ghost_tetrahedralization.hpp"
+#include "leonhard/delaunay/triangulation_views.hpp"
+#include "leonhard/kernel/point.hpp"
+
+/// What is iterated over in a DynamicTetrahedralization: valid until it changes.
+namespace leonhard::delaunay {
+
+using VertexQuadruple = std::array<VertexId, 4>;
+
+/// The vertices that live: those with finite coordinates.
+class SpaceVertexView {
+ public:
+  class iterator : public ViewIterator<iterator, VertexId> {
+   public:
+    using ViewIterator::operator++;
+    iterator() = default;
+    iterator(std::span<const Point3> points, std::size_t at) : points_(points), at_(at) { skip(); }
+    [[nodiscard]] VertexId operator*() const { return VertexId::from(at_); }
+    iterator& operator++() {
+      ++at_;
+      skip();
+      return *this;
+    }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_; }
+
+   private:
+    void skip() {
+      while (at_ < points_.size() && !is_finite(points_[at_])) ++at_;
+    }
+    std::span<const Point3> points_;
+    std::size_t at_{};
+  };
+
+  explicit SpaceVertexView(std::span<const Point3> points) : points_(points) {}
+  [[nodiscard]] iterator begin() const { return {points_, 0}; }
+  [[nodiscard]] iterator end() const { return {points_, points_.size()}; }
+
+ private:
+  std::span<const Point3> points_;
+};
+
+/// The corners of each real tetrahedron, positive.
+class TetrahedronView {
+ public:
+  class iterator : public ViewIterator<iterator, VertexQuadruple> {
+   public:
+    using ViewIterator::operator++;
+    iterator() = default;
+    iterator(const GhostTetrahedralization* in, std::size_t at) : in_(in), at_(at) { skip(); }
+    [[nodiscard]] VertexQuadruple operator*() const { return in_->corners[TetId::from(at_)]; }
+    iterator& operator++() {
+      ++at_;
+      skip();
+      return *this;
+    }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_; }
+
+   private:
+    /// Numbers out of use are ghosts all over.
+    void skip() {
+      while (at_ < in_->tet_count() && in_->is_ghost(TetId::from(at_))) ++at_;
+    }
+    const GhostTetrahedralization* in_ = nullptr;
+    std::size_t at_{};
+  };
+
+  explicit TetrahedronView(const GhostTetrahedralization& in) : in_(&in) {}
+  [[nodiscard]] iterator begin() const { return {in_, 0}; }
+  [[nodiscard]] iterator end() const { return {in_, in_->tet_count()}; }
+
+ private:
+  const GhostTetrahedralization* in_;
+};
+
+}  // namespace leonhard::delaunay
