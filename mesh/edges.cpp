@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/edges.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/half_edges.hpp"
 #include "leonhard/mesh/invariants.hpp"
+#include "leonhard/mesh/sorted_ends.hpp"
 
 namespace leonhard {
 
 MaybeId<EdgeId> EdgeStructure::find(VertexId a, VertexId b) const {
-  if (a > b) std::swap(a, b);
-  if (a.index() + 1 >= first_edge.size()) return {};
-  const auto begin = ends.begin() + static_cast<std::ptrdiff_t>(first_edge[a.index()]);
-  const auto end = ends.begin() + static_cast<std::ptrdiff_t>(first_edge[a.index() + 1]);
-  const auto at = std::partition_point(begin, end, [&](const auto& edge) { return edge[1] < b; });
-  if (at == end || (*at)[1] != b) return {};
-  return EdgeId::from(static_cast<std::size_t>(at - ends.begin()));
+  return mesh::find_edge(ends, first_edge, a, b);
 }
 
 namespace mesh {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/invariants_impl.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::mesh {
@@ -32,48 +33,15 @@ std::ptrdiff_t triangles_at(const HalfEdgeTable& table, VertexId a, VertexId b) 
 }  // namespace
 
 std::optional<std::string> broken_sizes(const TriangleMesh& mesh) {
-  const auto unlike = [](const char* array, std::size_t size, const char* of, std::size_t count) {
-    return std::string(array) + " has " + std::to_string(size) + " entries for " + std::to_string(count) +
-           " " + of;
-  };
-  const std::size_t v = mesh.vertex_count(), t = mesh.triangle_count();
-  if (mesh.neighbours.size() != t) return unlike("neighbours", mesh.neighbours.size(), "triangles", t);
-  if (mesh.regions.size() != t) return unlike("regions", mesh.regions.size(), "triangles", t);
-  if (mesh.vertex_markers.size() != v)
-    return unlike("vertex_markers", mesh.vertex_markers.size(), "vertices", v);
-  return std::nullopt;
+  return detail::broken_sizes(mesh, "triangles");
 }
 
-std::optional<std::string> broken_point(const TriangleMesh& mesh) {
-  for (const VertexId v : mesh.points.ids()) {
-    if (!is_finite(mesh.points[v])) return words(mesh, v) + " has a coordinate that is no finite number";
-  }
-  return std::nullopt;
-}
+std::optional<std::string> broken_point(const TriangleMesh& mesh) { return detail::broken_point(mesh); }
 
-std::optional<std::string> broken_corner(const TriangleMesh& mesh) {
-  for (const TriangleId t : mesh.corners.ids()) {
-    const auto& [a, b, c] = mesh.corners[t];
-    for (const VertexId v : mesh.corners[t]) {
-      if (!mesh.points.contains(v)) {
-        return "vertex " + std::to_string(v.raw) + " of " + words(mesh, t) + " does not exist, there are " +
-               std::to_string(mesh.vertex_count()) + " vertices";
-      }
-    }
-    if (a == b || b == c || c == a) return words(mesh, t) + " has a vertex twice";
-  }
-  return std::nullopt;
-}
+std::optional<std::string> broken_corner(const TriangleMesh& mesh) { return detail::broken_corner(mesh); }
 
 std::optional<std::string> unused_vertex(const TriangleMesh& mesh) {
-  PerId<VertexId, char> used(mesh.vertex_count(), 0);
-  for (const auto& corners : mesh.corners) {
-    for (const VertexId v : corners) used[v] = 1;
-  }
-  for (const VertexId v : used.ids()) {
-    if (!used[v]) return words(mesh, v) + " belongs to no triangle";
-  }
-  return std::nullopt;
+  return detail::unused_vertex(mesh, "triangle");
 }
 
 std::optional<std::string> broken_orientation(const TriangleMesh& mesh) {

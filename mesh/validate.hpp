@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::mesh {
@@ -49,5 +50,48 @@ namespace leonhard::mesh {
 /// mesh    `validate` finds nothing wrong with it
 /// Cost O(triangles), and O(constraints log constraints) where an edge fails.
 [[nodiscard]] std::optional<std::string> validate_delaunay(const TriangleMesh& mesh);
+
+// ---- tetrahedra ----
+
+/// The first broken invariant of TetMesh in words, with ids and coordinates; none if all hold. In this order:
+/// - neighbours and regions have one entry a tetrahedron, vertex_markers one a vertex
+/// - points are finite
+/// - corners are vertices, four different ones a tetrahedron
+/// - every vertex has a tetrahedron
+/// - every tetrahedron is positive by exact orient3d
+/// - no face has three tetrahedra, or two on the same side
+/// - neighbours are exactly the tetrahedra that share a face
+/// - boundary has the faces with one tetrahedron, each once, the normal pointing outwards
+/// - interfaces lie between two tetrahedra
+///
+/// Cost O(vertices + tetrahedra + boundary log boundary).
+[[nodiscard]] std::optional<std::string> validate(const TetMesh& mesh);
+
+/// The first face that is not locally Delaunay, in words: the opposite corner of one of its tetrahedra lies strictly
+/// inside the circumsphere of the other, by exact insphere. Faces in mesh.interfaces are excepted. A mesh that passes,
+/// and that fills the convex hull of its points (validate_convex), is a Delaunay tetrahedralisation of them (Delaunay's
+/// lemma); one of which neither is known is locally Delaunay, no more.
+///
+/// mesh    `validate` finds nothing wrong with it
+/// Cost O(tetrahedra), and O(interfaces log interfaces) where a face fails.
+[[nodiscard]] std::optional<std::string> validate_delaunay(const TetMesh& mesh);
+
+/// Whether the tetrahedra fill the convex hull of the points, each place once: the words for the first thing that speaks
+/// against it, none if they do.
+///
+/// mesh    `validate` finds nothing wrong with it
+///
+/// Argument. Where all tetrahedra are positive, the number of them over a place is the winding number of the boundary
+/// about it (inner faces cancel). Take a place o strictly inside some tetrahedron. If no other one holds it, the winding
+/// number about o is 1. If o lies strictly behind every boundary face, the rays from o meet each face from behind, so the
+/// boundary winds about o as often as a ray meets it: once. So the boundary is the surface of a set star-shaped about o,
+/// which the tetrahedra fill, each place once. If no edge of the surface is reflex, the set is convex (Tietze and
+/// Nakajima). All by exact orient3d; o is the rounded centroid of a tetrahedron of large volume, and the exact signs say
+/// whether it is strictly inside.
+///
+/// Words "no place found" mean that every tetrahedron is too thin to hold a place whose coordinates are doubles near its
+/// centroid: then nothing is proved.
+/// Cost O(tetrahedra + boundary log boundary).
+[[nodiscard]] std::optional<std::string> validate_convex(const TetMesh& mesh);
 
 }  // namespace leonhard::mesh

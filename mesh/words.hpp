@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <string>
 
+#include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::mesh {
@@ -13,13 +15,24 @@ namespace leonhard::mesh {
 /// "(0.5, 1)".
 [[nodiscard]] std::string words(Point2 p);
 
+/// "(0.5, 1, 2)".
+[[nodiscard]] std::string words(const Point3& p);
+
 /// "vertex 17 at (0.5, 1)"; without the place where the mesh has no such vertex.
 [[nodiscard]] std::string words(const TriangleMesh& mesh, VertexId v);
+[[nodiscard]] std::string words(const TetMesh& mesh, VertexId v);
 
 /// "edge 3-8 from (0, 0) to (1, 0)".
 [[nodiscard]] std::string words(const TriangleMesh& mesh, VertexId from, VertexId to);
+[[nodiscard]] std::string words(const TetMesh& mesh, VertexId from, VertexId to);
+
+/// "face 3-8-9 at (0, 0, 0), (1, 0, 0), (0, 1, 0)".
+[[nodiscard]] std::string words(const TetMesh& mesh, const std::array<VertexId, 3>& face);
 
 /// "triangle 4 (vertices 1, 2, 3 at (0, 0), (1, 0), (0, 1))".
 [[nodiscard]] std::string words(const TriangleMesh& mesh, TriangleId t);
+
+/// "tetrahedron 4 (vertices 1, 2, 3, 5 at (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))".
+[[nodiscard]] std::string words(const TetMesh& mesh, TetId t);
 
 }  // namespace leonhard::mesh
