@@ -19,7 +19,7 @@ int samples_for(double pixels) {
 struct Lines {
   struct Line {
     PageLinear distance;
-    float half_width;  // samples, on this facet's side
+    float width;  // samples, on this facet's side
   };
   std::array<Line, 4> lines;
   std::size_t count = 0;
@@ -29,7 +29,7 @@ struct Lines {
     float most = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const auto d = static_cast<float>(lines[i].distance.at(x, y));
-      const float covered = std::min(d + 0.5F, lines[i].half_width) - std::max(d - 0.5F, 0.0F);
+      const float covered = std::min(d + 0.5F, lines[i].width) - std::max(d - 0.5F, 0.0F);
       most = std::max(most, covered);
     }
     return std::min(most, 1.0F);
@@ -40,8 +40,9 @@ Lines lines_of(const Facet& facet, const FacetSamples& samples, const FacetPaint
   Lines result;
   if (!paint.show_lines) return result;
   for (std::size_t i = 0; i < facet.count; ++i) {
-    const double half = line_width(facet, i, paint.thin) * paint.thin * per_page / 2;
-    if (half > 0.01) result.lines[result.count++] = {samples.distance_from(i), static_cast<float>(half)};
+    const double sides = facet.lines[i] == FacetLine::outline ? 1 : 2;  // facets that share its width
+    const double width = line_width(facet, i, paint.thin) * paint.thin * per_page / sides;
+    if (width > 0.01) result.lines[result.count++] = {samples.distance_from(i), static_cast<float>(width)};
   }
   return result;
 }

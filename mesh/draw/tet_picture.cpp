@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -286,27 +287,34 @@ std::string grouped(std::size_t count) {
   return digits;
 }
 
-// "y < 0.5", or "0.6 x + 0.8 z > 1": the side that is removed.
+// Four digits.
+std::string short_words(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, 4).ptr;
+  return {text.data(), end};
+}
+
+// "y < 0.5", or "x − 0.5 z > 1": the side that is removed.
 std::string removed_side(const CutPlane& plane) {
   const std::array<double, 3> normal{plane.normal.x, plane.normal.y, plane.normal.z};
   const std::array<double, 3> point{plane.point.x, plane.point.y, plane.point.z};
   constexpr std::array<const char*, 3> names{"x", "y", "z"};
-  const auto label = [](double value) { return label_of(value, std::abs(value) * 1e-3 + 1e-12, std::abs(value)); };
+  const double largest = std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
   std::string sum;
   double offset = 0;
-  std::size_t terms = 0, last = 0;
-  const double length = norm(plane.normal);
   for (std::size_t i = 0; i < 3; ++i) {
     if (normal[i] == 0) continue;
-    const double share = normal[i] / length;
-    sum += terms == 0 ? (share < 0 ? "−" : "") : (share < 0 ? " − " : " + ");
-    sum += label_of(std::abs(share), 1e-3, 1) + std::string(" ") + names[i];
+    if (std::abs(normal[i]) == norm(plane.normal)) {
+      return names[i] + std::string(normal[i] > 0 ? " > " : " < ") + short_words(point[i]);
+    }
+    const double share = normal[i] / largest;
+    sum += sum.empty() ? (share < 0 ? "−" : "") : (share < 0 ? " − " : " + ");
+    if (std::abs(share) != 1) sum += short_words(std::abs(share)) + " ";
+    sum += names[i];
     offset += share * point[i];
-    ++terms;
-    last = i;
   }
-  if (terms == 1) return names[last] + std::string(normal[last] > 0 ? " > " : " < ") + label(point[last]);
-  return sum + " > " + label(offset);
+  return sum + " > " + short_words(offset);
 }
 
 std::string caption_of(const TetScene& scene) {

@@ -284,16 +284,15 @@ void mark_lines(std::span<Facet> facets, bool between_colours) {
   for (std::size_t first = 0; first < sides.size();) {
     std::size_t end = first + 1;
     while (end < sides.size() && sides[end].key == sides[first].key) ++end;
-    bool strong = end - first == 1;
+    bool strong = false;
     const Facet& one = facets[sides[first].facet];
     for (std::size_t s = first + 1; s < end; ++s) {
       const Facet& other = facets[sides[s].facet];
       strong = strong || one.kind != other.kind || is_crease(one, other) ||
                (between_colours && one.colour != other.colour);
     }
-    for (std::size_t s = first; s < end; ++s) {
-      facets[sides[s].facet].lines[sides[s].edge] = strong ? FacetLine::strong : FacetLine::thin;
-    }
+    const FacetLine line = end - first == 1 ? FacetLine::outline : strong ? FacetLine::strong : FacetLine::thin;
+    for (std::size_t s = first; s < end; ++s) facets[sides[s].facet].lines[sides[s].edge] = line;
     first = end;
   }
 }
@@ -320,9 +319,12 @@ void place(std::span<Facet> facets, const Rect& area) {
 
 double brightness(const Facet& facet) {
   if (facet.kind == FacetKind::section) return 1;  // flat: its colours are those of the legend
-  constexpr Vec3 light{-0.36, 0.48, 0.8};          // length 1, in the camera's axes
-  const double ambient = facet.kind == FacetKind::boundary ? 0.55 : 0.66;
-  return ambient + (1 - ambient) * std::max(0.0, dot(facet.normal, light));
+  // In the camera's axes, of length 1: the light itself, and what the room gives back from the other side.
+  constexpr Vec3 light{-0.36, 0.48, 0.8}, room{0.8, 0, 0.6};
+  const double ambient = facet.kind == FacetKind::boundary ? 0.5 : 0.7;
+  const double given =
+      0.82 * std::max(0.0, dot(facet.normal, light)) + 0.36 * std::max(0.0, dot(facet.normal, room));
+  return ambient + (1 - ambient) * std::min(given, 1.0);
 }
 
 Colour lit(Colour colour, double brightness) {
@@ -340,7 +342,7 @@ double line_width(const Facet& facet, std::size_t edge, double thin) {
   }
   const double size = std::min(length, 2.5 * height) / thin;
   const double fade = std::min(1.0, std::pow(size / 26, 0.75));
-  return facet.lines[edge] == FacetLine::strong ? 0.8 + 1.2 * fade : 0.85 * fade;
+  return facet.lines[edge] == FacetLine::thin ? 0.85 * fade : 0.8 + 1.1 * fade;
 }
 
 }  // namespace leonhard::draw

@@ -20,8 +20,12 @@ enum class FacetKind : std::uint8_t {
   section,   ///< where the plane cuts a tetrahedron
 };
 
-/// How an edge of a facet is drawn. `strong`: outlines, creases, and where one area of colour meets another.
-enum class FacetLine : std::uint8_t { thin, strong };
+/// How an edge of a facet is drawn.
+enum class FacetLine : std::uint8_t {
+  thin,
+  strong,   ///< a crease, or where one area of colour meets another
+  outline,  ///< strong too, with no facet on its other side
+};
 
 /// A corner of a facet as it is seen: page x and y once placed, the camera's before.
 struct FacetCorner {
@@ -61,8 +65,8 @@ void check_mesh(const TetMesh& mesh);
 [[nodiscard]] std::vector<Facet> visible_facets(const TetMesh& mesh, const Camera& camera, CutStyle style,
                                                 const CutPlane& plane, std::span<const double> values);
 
-/// Marks the strong lines, after the facets have their colours: edges with one facet only, edges between facets of
-/// different kinds, creases of the boundary beyond 40 degrees, and, if asked for, edges between different colours.
+/// Tells the edges apart, after the facets have their colours. Strong are edges between facets of different kinds, creases
+/// of the boundary beyond 40 degrees, and, if asked for, edges between different colours.
 /// Cost O(n log n).
 void mark_lines(std::span<Facet> facets, bool between_colours);
 

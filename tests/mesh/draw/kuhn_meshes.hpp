@@ -6,40 +6,14 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <vector>
+#include <utility>
 
 #include "leonhard/mesh/tet_mesh.hpp"
+#include "leonhard/mesh/tet_topology.hpp"
 
 /// Tetrahedral meshes for tests of pictures: grids of cubes, six tetrahedra each (H. W. Kuhn's subdivision), of which a
 /// part is kept.
 namespace leonhard::draw::test {
-
-/// Neighbours by a map of all faces, and the boundary, marked by `marker_of` (a face's centre).
-inline void fill_neighbours(TetMesh& mesh, const std::function<Marker(Point3)>& marker_of) {
-  mesh.neighbours.clear();
-  mesh.neighbours.resize(mesh.tet_count());
-  std::map<std::array<VertexId, 3>, std::pair<TetId, std::size_t>> open;
-  for (const TetId t : mesh.corners.ids()) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& [a, b, c] = tet_face_corners[i];
-      std::array<VertexId, 3> key{mesh.corners[t][a], mesh.corners[t][b], mesh.corners[t][c]};
-      std::sort(key.begin(), key.end());
-      const auto [at, is_new] = open.try_emplace(key, t, i);
-      if (is_new) continue;
-      const auto [other, j] = at->second;
-      mesh.neighbours[t][i] = other;
-      mesh.neighbours[other][j] = t;
-      open.erase(at);
-    }
-  }
-  for (const auto& [key, side] : open) {
-    const auto& [a, b, c] = tet_face_corners[side.second];
-    const auto& corners = mesh.corners[side.first];
-    const Point3 p = mesh.points[corners[a]], q = mesh.points[corners[b]], r = mesh.points[corners[c]];
-    const Point3 centre{(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3, (p.z + q.z + r.z) / 3};
-    mesh.boundary.push_back({{corners[a], corners[b], corners[c]}, marker_of(centre)});
-  }
-}
 
 /// A grid of nx by ny by nz unit cubes; the tetrahedra whose centre is wanted, the vertices then moved. Vertices that no
 /// tetrahedron uses are left out.
@@ -76,10 +50,14 @@ inline TetMesh kuhn_mesh(std::array<std::size_t, 3> n, const std::function<bool(
       }
     }
   }
-  mesh.vertex_markers.resize(mesh.vertex_count(), 0);
-  mesh.regions.resize(mesh.tet_count(), 0);
-  fill_neighbours(mesh, marker_of);
-  return mesh;
+  TetMesh checked = mesh::make_tet_mesh(std::move(mesh.points), std::move(mesh.corners), {}, {}, "grid of cubes",
+                                        {.unlisted_boundary = 1});
+  for (MarkedFace& face : checked.boundary) {
+    const auto corner = [&](std::size_t i) { return checked.points[face.corners[i]]; };
+    const Point3 a = corner(0);
+    face.marker = marker_of(a + (1.0 / 3) * ((corner(1) - a) + (corner(2) - a)));
+  }
+  return checked;
 }
 
 /// The unit cube, n cubes each way.
