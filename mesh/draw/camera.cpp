@@ -29,7 +29,8 @@ void check_view(const View3& view) {
 
 Vec3 towards_viewer(const View3& view) {
   const double azimuth = view.azimuth_deg * radians, elevation = view.elevation_deg * radians;
-  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+          std::sin(elevation)};
 }
 
 Box3 box_of(const TetMesh& mesh) {
@@ -72,7 +73,8 @@ CutPlane cut_through_middle(const Box3& box, const View3& view) {
 Camera::Camera(const Box3& box, const View3& view) {
   const auto middle = [](double low, double high) { return low / 2 + high / 2; };  // does not overflow
   centre_ = {middle(box.low.x, box.high.x), middle(box.low.y, box.high.y), middle(box.low.z, box.high.z)};
-  const Vec3 half{box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2, box.high.z / 2 - box.low.z / 2};
+  const Vec3 half{box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2,
+                  box.high.z / 2 - box.low.z / 2};
   unit_ = std::max({half.x, half.y, half.z});
   if (unit_ == 0) unit_ = 1;
 

@@ -26,7 +26,8 @@ class Camera {
   /// Where a turned point is seen.
   struct Seen {
     double x{}, y{};
-    double nearness{};  ///< larger is nearer to the viewer; linear on the picture of a plane, as a z-buffer wants it
+    double
+        nearness{};  ///< larger is nearer to the viewer; linear on the picture of a plane, as a z-buffer wants it
   };
   [[nodiscard]] Seen see(const Vec3& turned) const;
 

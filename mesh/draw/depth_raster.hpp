@@ -13,7 +13,8 @@ namespace leonhard::draw {
 /// How facets become colours.
 struct FacetPaint {
   std::span<const Colour> colours;  ///< Facet::colour is an index of these
-  std::span<const double> levels;   ///< of the field; if any, colour i is for values with i levels at or below them
+  std::span<const double>
+      levels;  ///< of the field; if any, colour i is for values with i levels at or below them
   Colour line;
   double thin = 1;  ///< Canvas::thin()
   bool show_lines = true;
@@ -36,8 +37,8 @@ class DepthRaster {
  private:
   int width_, height_, samples_;  ///< of the image; samples a pixel in each direction
   Point2 origin_;
-  double per_page_;                   ///< samples a page pixel
-  std::vector<float> nearness_;       ///< one a sample, of the nearest facet so far
+  double per_page_;                    ///< samples a page pixel
+  std::vector<float> nearness_;        ///< one a sample, of the nearest facet so far
   std::vector<std::uint32_t> colour_;  ///< 0xFFRRGGBB, 0 where there is none
 };
 

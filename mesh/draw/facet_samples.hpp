@@ -19,7 +19,8 @@ struct PageLinear {
 class FacetSamples {
  public:
   /// origin, per_page  of the image on the page; samples a page pixel
-  FacetSamples(const Facet& facet, Point2 origin, double per_page, bool is_perspective) : count_(facet.count) {
+  FacetSamples(const Facet& facet, Point2 origin, double per_page, bool is_perspective)
+      : count_(facet.count) {
     for (std::size_t i = 0; i < count_; ++i) {
       outline_[i] = {(facet.corners[i].x - origin.x) * per_page, (facet.corners[i].y - origin.y) * per_page};
     }

@@ -62,7 +62,8 @@ std::vector<Number> front_facets(std::span<const Facet> facets, const Samples& g
 
 // Pairs (behind, in front) of facets that are seen, each pair once, sorted.
 std::vector<std::pair<Number, Number>> overlaps(std::span<const Facet> facets, const Samples& grid,
-                                                const std::vector<Number>& front, const std::vector<char>& is_seen) {
+                                                const std::vector<Number>& front,
+                                                const std::vector<char>& is_seen) {
   std::vector<std::pair<Number, Number>> pairs;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     if (is_seen[f] == 0) continue;

@@ -9,7 +9,8 @@ std::vector<std::size_t> colour_parts(const std::vector<std::set<std::uint32_t>>
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::uint32_t> order(touching.size());
   for (std::uint32_t p = 0; p < order.size(); ++p) order[p] = p;
-  std::ranges::stable_sort(order, [&](std::uint32_t p, std::uint32_t q) { return touching[p].size() > touching[q].size(); });
+  std::ranges::stable_sort(
+      order, [&](std::uint32_t p, std::uint32_t q) { return touching[p].size() > touching[q].size(); });
   std::vector<std::size_t> colour(touching.size(), none), used(std::min<std::size_t>(8, touching.size()), 0);
   for (const std::uint32_t p : order) {
     std::vector<bool> taken(used.size() + 1, false);

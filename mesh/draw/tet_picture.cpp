@@ -40,7 +40,7 @@ struct TetScene {
   std::vector<Facet> facets;
 
   std::vector<Colour> palette;
-  std::optional<Bands> bands;  ///< with a colour bar
+  std::optional<Bands> bands;   ///< with a colour bar
   bool bands_by_value = false;  ///< the bands are of the field, not one a facet
   std::string bar_label;
   std::vector<LegendEntry> legend;
@@ -79,7 +79,8 @@ TetScene make_scene(const TetMesh& mesh, const TetPictureOptions& options, std::
     if (options.cut == CutStyle::none) {
       throw InputError("mesh", "no face of it is turned to the viewer", "run mesh::validate on it");
     }
-    throw InputError("cut", "it leaves nothing that faces the viewer", "move the plane, turn its normal or leave it out");
+    throw InputError("cut", "it leaves nothing that faces the viewer",
+                     "move the plane, turn its normal or leave it out");
   }
   return scene;
 }
@@ -123,7 +124,8 @@ void colour_by_marker(TetScene& scene) {
   }
   for (const auto& [marker, index] : number) {
     if (!shown.contains(index)) continue;
-    scene.legend.push_back({.words = boundary_name(scene.mesh, marker), .colour = scene.palette[index], .area = true});
+    scene.legend.push_back(
+        {.words = boundary_name(scene.mesh, marker), .colour = scene.palette[index], .area = true});
   }
   if (shown.contains(0)) {
     scene.legend.push_back({.words = "inside", .colour = scene.palette[0], .area = true});
@@ -173,7 +175,8 @@ void colour_by_quality(TetScene& scene) {
   scene.bar_label = quality_label;
   scene.palette = scene.bands->colours;
   for (Facet& facet : scene.facets) {
-    facet.colour = static_cast<std::uint32_t>(scene.bands->index_of(smallest_dihedral_deg(scene.mesh, facet.tet)));
+    facet.colour =
+        static_cast<std::uint32_t>(scene.bands->index_of(smallest_dihedral_deg(scene.mesh, facet.tet)));
   }
 }
 
@@ -358,7 +361,8 @@ void draw_triad(Canvas& canvas, const Camera& camera, Point2 origin) {
 std::vector<Point2> some_corners(const std::vector<Facet>& facets) {
   std::vector<Point2> points;
   const std::size_t step = 1 + facets.size() / 20'000;
-  for (std::size_t f = 0; f < facets.size(); f += step) points.push_back({facets[f].corners[0].x, facets[f].corners[0].y});
+  for (std::size_t f = 0; f < facets.size(); f += step)
+    points.push_back({facets[f].corners[0].x, facets[f].corners[0].y});
   return points;
 }
 
@@ -366,7 +370,8 @@ void paint(const std::filesystem::path& path, TetScene& scene) {
   const TetPictureOptions& options = scene.options;
   Canvas canvas(path, options.size);
   const double em = canvas.text_size();
-  const double top = (options.title.empty() ? 1.0 : 3.0) * em, bottom = (options.show_caption ? 2.4 : 1.0) * em;
+  const double top = (options.title.empty() ? 1.0 : 3.0) * em,
+               bottom = (options.show_caption ? 2.4 : 1.0) * em;
   const double left = (options.show_axes ? 4.6 : 1.0) * em;
   const double right = scene.bands ? colour_bar_room(canvas, *scene.bands, scene.bar_label) + em : em;
   const Rect area{left, top, std::max(canvas.width() - left - right, em),
@@ -384,17 +389,18 @@ void paint(const std::filesystem::path& path, TetScene& scene) {
   draw_legend(canvas, {em, top, canvas.width() - 2 * em, area.height}, scene.legend, options.legend,
               some_corners(scene.facets));
   if (scene.bands) {
-    draw_colour_bar(canvas, {area.right() + 0.5 * em, area.top + 0.5 * em, right, area.height - em}, *scene.bands,
-                    scene.bar_label);
+    draw_colour_bar(canvas, {area.right() + 0.5 * em, area.top + 0.5 * em, right, area.height - em},
+                    *scene.bands, scene.bar_label);
   }
   canvas.save();
 }
 
 void check_values(const TetMesh& mesh, std::span<const double> values, const TetFieldScale& scale) {
   if (values.size() != mesh.vertex_count()) {
-    throw InputError("field",
-                     std::to_string(values.size()) + " values for " + std::to_string(mesh.vertex_count()) + " vertices",
-                     "give one value a vertex");
+    throw InputError(
+        "field",
+        std::to_string(values.size()) + " values for " + std::to_string(mesh.vertex_count()) + " vertices",
+        "give one value a vertex");
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
     if (!std::isfinite(values[v])) {
@@ -404,9 +410,10 @@ void check_values(const TetMesh& mesh, std::span<const double> values, const Tet
   }
   if (scale.range && !(std::isfinite(scale.range->low) && std::isfinite(scale.range->high) &&
                        scale.range->low < scale.range->high)) {
-    throw InputError("value range",
-                     "from " + mesh::words(scale.range->low) + " to " + mesh::words(scale.range->high) + " is no range",
-                     "give finite bounds, the lower one first");
+    throw InputError(
+        "value range",
+        "from " + mesh::words(scale.range->low) + " to " + mesh::words(scale.range->high) + " is no range",
+        "give finite bounds, the lower one first");
   }
   if (scale.bands < 1 || scale.bands > 200) {
     throw InputError("bands", std::to_string(scale.bands) + " is out of range", "give 1 to 200");
@@ -415,19 +422,20 @@ void check_values(const TetMesh& mesh, std::span<const double> values, const Tet
 
 void check_parts(const TetMesh& mesh, std::span<const std::uint32_t> part_of, std::uint32_t parts) {
   if (part_of.size() != mesh.tet_count()) {
-    throw InputError("partition",
-                     std::to_string(part_of.size()) + " entries for " + std::to_string(mesh.tet_count()) + " tetrahedra",
-                     "give one part a tetrahedron");
+    throw InputError(
+        "partition",
+        std::to_string(part_of.size()) + " entries for " + std::to_string(mesh.tet_count()) + " tetrahedra",
+        "give one part a tetrahedron");
   }
   if (parts < 1 || parts > 65000) {
     throw InputError("partition", std::to_string(parts) + " parts are out of range", "give 1 to 65000");
   }
   for (std::size_t i = 0; i < part_of.size(); ++i) {
     if (part_of[i] >= parts) {
-      throw InputError(
-          "partition",
-          "entry " + std::to_string(i) + " is part " + std::to_string(part_of[i]) + " of " + std::to_string(parts),
-          "number the parts from 0");
+      throw InputError("partition",
+                       "entry " + std::to_string(i) + " is part " + std::to_string(part_of[i]) + " of " +
+                           std::to_string(parts),
+                       "number the parts from 0");
     }
   }
 }
@@ -454,8 +462,9 @@ void draw_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh, TetFi
   paint(path, scene);
 }
 
-void draw_tet_field(const std::filesystem::path& path, const TetMesh& mesh, std::span<const double> vertex_values,
-                    const TetFieldScale& scale, const TetPictureOptions& options) {
+void draw_tet_field(const std::filesystem::path& path, const TetMesh& mesh,
+                    std::span<const double> vertex_values, const TetFieldScale& scale,
+                    const TetPictureOptions& options) {
   check_values(mesh, vertex_values, scale);
   TetScene scene = make_scene(mesh, options, vertex_values);
   colour_by_value(scene, scale);
@@ -463,7 +472,8 @@ void draw_tet_field(const std::filesystem::path& path, const TetMesh& mesh, std:
 }
 
 void draw_tet_partition(const std::filesystem::path& path, const TetMesh& mesh,
-                        std::span<const std::uint32_t> part_of, std::uint32_t parts, const TetPictureOptions& options) {
+                        std::span<const std::uint32_t> part_of, std::uint32_t parts,
+                        const TetPictureOptions& options) {
   check_parts(mesh, part_of, parts);
   TetScene scene = make_scene(mesh, options, {});
   colour_by_part(scene, part_of, parts);

@@ -57,8 +57,9 @@ struct TetFieldScale {
 /// A field on the boundary and on the cut: bands between levels, a colour bar.
 ///
 /// vertex_values  one finite value a vertex, linear on each tetrahedron
-void draw_tet_field(const std::filesystem::path& path, const TetMesh& mesh, std::span<const double> vertex_values,
-                    const TetFieldScale& scale = {}, const TetPictureOptions& options = {});
+void draw_tet_field(const std::filesystem::path& path, const TetMesh& mesh,
+                    std::span<const double> vertex_values, const TetFieldScale& scale = {},
+                    const TetPictureOptions& options = {});
 
 /// A partition of the tetrahedra, touching parts in different colours.
 ///

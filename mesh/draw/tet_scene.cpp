@@ -68,9 +68,10 @@ class Builder {
       : mesh_(mesh), camera_(camera), values_(values), markers_(mesh), at_(mesh.vertex_count()) {
     for (const VertexId v : mesh.points.ids()) at_[v] = camera.turn(mesh.points[v]);
     if (style == CutStyle::none) return;
-    const double longest = std::max({std::abs(plane.normal.x), std::abs(plane.normal.y), std::abs(plane.normal.z)});
-    const Vec3 direction = camera.turn(Vec3{plane.normal.x / longest, plane.normal.y / longest,
-                                            plane.normal.z / longest});
+    const double longest =
+        std::max({std::abs(plane.normal.x), std::abs(plane.normal.y), std::abs(plane.normal.z)});
+    const Vec3 direction =
+        camera.turn(Vec3{plane.normal.x / longest, plane.normal.y / longest, plane.normal.z / longest});
     normal_ = (1 / norm(direction)) * direction;
     const Vec3 through = camera.turn(plane.point);
     beyond_ = PerId<VertexId, double>(mesh.vertex_count());
@@ -161,7 +162,8 @@ class Builder {
       p.add(crossing(removed[1], kept[1]));
       p.add(crossing(removed[1], kept[0]));
     } else {
-      for (std::size_t i = 0; i < 3; ++i) p.add(r == 1 ? crossing(removed[0], kept[i]) : crossing(removed[i], kept[0]));
+      for (std::size_t i = 0; i < 3; ++i)
+        p.add(r == 1 ? crossing(removed[0], kept[i]) : crossing(removed[i], kept[0]));
     }
     if (dot(area_vector(p), normal_) < 0) std::reverse(p.corners.begin(), p.corners.begin() + p.count);
     return p;
@@ -245,7 +247,8 @@ void check_mesh(const TetMesh& mesh) {
   };
   for (const TetId t : mesh.corners.ids()) {
     for (const VertexId v : mesh.corners[t]) {
-      if (!mesh.points.contains(v) || !is_finite(mesh.points[v])) check_vertex(v, "tetrahedron " + std::to_string(t.raw));
+      if (!mesh.points.contains(v) || !is_finite(mesh.points[v]))
+        check_vertex(v, "tetrahedron " + std::to_string(t.raw));
     }
     for (const MaybeId<TetId> n : mesh.neighbours[t]) {
       if (n && !mesh.neighbours.contains(*n)) {
@@ -259,8 +262,8 @@ void check_mesh(const TetMesh& mesh) {
   }
 }
 
-std::vector<Facet> visible_facets(const TetMesh& mesh, const Camera& camera, CutStyle style, const CutPlane& plane,
-                                  std::span<const double> values) {
+std::vector<Facet> visible_facets(const TetMesh& mesh, const Camera& camera, CutStyle style,
+                                  const CutPlane& plane, std::span<const double> values) {
   Builder builder(mesh, camera, style, plane, values);
   return style == CutStyle::planar ? builder.planar() : builder.faces(style);
 }
@@ -291,7 +294,9 @@ void mark_lines(std::span<Facet> facets, bool between_colours) {
       strong = strong || one.kind != other.kind || is_crease(one, other) ||
                (between_colours && one.colour != other.colour);
     }
-    const FacetLine line = end - first == 1 ? FacetLine::outline : strong ? FacetLine::strong : FacetLine::thin;
+    const FacetLine line = end - first == 1 ? FacetLine::outline
+                           : strong         ? FacetLine::strong
+                                            : FacetLine::thin;
     for (std::size_t s = first; s < end; ++s) facets[sides[s].facet].lines[sides[s].edge] = line;
     first = end;
   }

@@ -17,9 +17,10 @@ namespace leonhard::draw::test {
 
 /// A grid of nx by ny by nz unit cubes; the tetrahedra whose centre is wanted, the vertices then moved. Vertices that no
 /// tetrahedron uses are left out.
-inline TetMesh kuhn_mesh(std::array<std::size_t, 3> n, const std::function<bool(Point3)>& wanted,
-                         const std::function<Point3(Point3)>& moved = [](Point3 p) { return p; },
-                         const std::function<Marker(Point3)>& marker_of = [](Point3) { return Marker{1}; }) {
+inline TetMesh kuhn_mesh(
+    std::array<std::size_t, 3> n, const std::function<bool(Point3)>& wanted,
+    const std::function<Point3(Point3)>& moved = [](Point3 p) { return p; },
+    const std::function<Marker(Point3)>& marker_of = [](Point3) { return Marker{1}; }) {
   static constexpr std::array<std::array<std::size_t, 3>, 6> orders{
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};  // the first three are even
   TetMesh mesh;
@@ -50,8 +51,8 @@ inline TetMesh kuhn_mesh(std::array<std::size_t, 3> n, const std::function<bool(
       }
     }
   }
-  TetMesh checked = mesh::make_tet_mesh(std::move(mesh.points), std::move(mesh.corners), {}, {}, "grid of cubes",
-                                        {.unlisted_boundary = 1});
+  TetMesh checked = mesh::make_tet_mesh(std::move(mesh.points), std::move(mesh.corners), {}, {},
+                                        "grid of cubes", {.unlisted_boundary = 1});
   for (MarkedFace& face : checked.boundary) {
     const auto corner = [&](std::size_t i) { return checked.points[face.corners[i]]; };
     const Point3 a = corner(0);
@@ -63,8 +64,11 @@ inline TetMesh kuhn_mesh(std::array<std::size_t, 3> n, const std::function<bool(
 /// The unit cube, n cubes each way.
 inline TetMesh unit_cube(std::size_t n) {
   const double side = static_cast<double>(n);
-  return kuhn_mesh({n, n, n}, [](Point3) { return true; },
-                   [=](Point3 p) { return Point3{p.x / side, p.y / side, p.z / side}; });
+  return kuhn_mesh(
+      {n, n, n}, [](Point3) { return true; },
+      [=](Point3 p) {
+        return Point3{p.x / side, p.y / side, p.z / side};
+      });
 }
 
 /// A ball of radius 1 about the origin, from n cubes each way, with a hollow of radius `hollow`. Cubes on concentric

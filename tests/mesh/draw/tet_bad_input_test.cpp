@@ -23,7 +23,8 @@ const TetMesh& cube() {
 }
 
 // Refused with these words in the message, an older file of that name untouched.
-void refused(const std::vector<std::string>& words, const std::function<void(const std::filesystem::path&)>& draw,
+void refused(const std::vector<std::string>& words,
+             const std::function<void(const std::filesystem::path&)>& draw,
              const std::string& name = "picture.png") {
   const test::Folder folder;
   std::ofstream(folder / name) << "older";
@@ -44,7 +45,8 @@ void refused_with(const std::vector<std::string>& words, const TetPictureOptions
 }  // namespace
 
 TEST_CASE("pictures_of_tetrahedra_refuse_formats_sizes_and_views") {
-  refused({"'.jpg'"}, [](const auto& path) { draw_tet_mesh(path, cube()); }, "picture.jpg");
+  refused(
+      {"'.jpg'"}, [](const auto& path) { draw_tet_mesh(path, cube()); }, "picture.jpg");
   refused_with({"63 x 1000"}, {.size = {.width = 63}});
   refused_with({"view", "91", "-90 to 90"}, {.view = {.elevation_deg = 91}});
   refused_with({"view", "nan"}, {.view = {.azimuth_deg = not_a_number}});
