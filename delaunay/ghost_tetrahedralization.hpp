@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "leonhard/mesh/id.hpp"
 
@@ -26,6 +27,9 @@ struct GhostTetrahedralization {
 
   [[nodiscard]] std::size_t tet_count() const { return corners.size(); }
   [[nodiscard]] bool is_ghost(TetId t) const { return corners[t][0] == ghost; }
+
+  /// Take away tetrahedra, which none of the others has for a neighbour. The last ones take their numbers.
+  void erase(std::vector<TetId> dead);
 
   /// The first broken invariant in words: neighbours that do not point back or do not share three corners in opposite
   /// order, a repeated corner, a ghost elsewhere than at corner 0. Cost O(tetrahedra).

@@ -12,7 +12,7 @@
 namespace leonhard::delaunay {
 namespace {
 
-/// A well mixed hash of a position: what makes the rounds random without a seed.
+/// A well mixed hash of a position: what makes the rounds random.
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
@@ -22,23 +22,27 @@ std::uint64_t mixed(std::uint64_t x) {
 
 }  // namespace
 
-std::vector<std::uint32_t> order_in_rounds(std::size_t n) {
+Rounds rounds_of(std::size_t n, std::uint64_t seed) {
   // An eighth of the points comes before the last round, an eighth of these before the round before it, and
   // so on.
   constexpr std::size_t first_round = 500;
   constexpr unsigned bits_a_round = 3;
+  const std::uint64_t shift = seed == 0 ? 0 : mixed(seed);
   unsigned last = 0;
   for (std::size_t left = n; left > first_round; left >>= bits_a_round) ++last;
   const auto round_of = [&](std::size_t i) {
-    const auto zeros = static_cast<unsigned>(std::countr_zero(mixed(i)));
+    const auto zeros = static_cast<unsigned>(std::countr_zero(mixed(i ^ shift)));
     return last - std::min(last, zeros / bits_a_round);
   };
-  std::vector<std::size_t> begin(last + 2, 0);
-  for (std::size_t i = 0; i < n; ++i) ++begin[round_of(i) + 1];
-  for (unsigned r = 0; r <= last; ++r) begin[r + 1] += begin[r];
-  std::vector<std::uint32_t> order(n);
-  for (std::size_t i = 0; i < n; ++i) order[begin[round_of(i)]++] = static_cast<std::uint32_t>(i);
-  return order;
+  Rounds rounds;
+  std::vector<std::size_t>& begins = rounds.begins;
+  begins.assign(last + 2, 0);
+  for (std::size_t i = 0; i < n; ++i) ++begins[round_of(i) + 1];
+  for (unsigned r = 0; r <= last; ++r) begins[r + 1] += begins[r];
+  std::vector<std::size_t> next = begins;
+  rounds.order.resize(n);
+  for (std::size_t i = 0; i < n; ++i) rounds.order[next[round_of(i)]++] = static_cast<std::uint32_t>(i);
+  return rounds;
 }
 
 std::vector<std::uint32_t> random_order(std::size_t n, std::uint64_t seed) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/delaunay/tet_algorithm.hpp"
+
+#include "leonhard/delaunay/tet_insertion.hpp"
+
+namespace leonhard::delaunay {
+
+std::optional<TetAlgorithm> tet_algorithm_named(std::string_view name) {
+  for (const NamedTetAlgorithm& known : named_tet_algorithms)
+    if (known.name == name) return known.algorithm;
+  return std::nullopt;
+}
+
+PointTetrahedralization tetrahedralize_distinct(std::span<const Point3> points, TetAlgorithm algorithm,
+                                                const TetAlgorithmOptions& options) {
+  switch (algorithm) {
+    case TetAlgorithm::insertion:
+      return tetrahedralize_insertion(points, options);
+    case TetAlgorithm::flipping:
+      return tetrahedralize_insertion(points, options);
+  }
+  return {};
+}
+
+}  // namespace leonhard::delaunay

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "leonhard/delaunay/ghost_tetrahedralization.hpp"
+#include "leonhard/kernel/point.hpp"
+#include "leonhard/mesh/tet_mesh.hpp"
+
+namespace leonhard::delaunay {
+
+/// Tetrahedra into an order that depends on nothing but which vertices they join: by their vertices, the least first. The
+/// vertices of each come in rising order but for the last two, which are in the order that makes it positive. Ghosts and
+/// dead tetrahedra are dropped, a neighbour that was a ghost is none.
+///
+/// cells     its vertices are 0 to vertices - 1
+/// dead      numbers that no tetrahedron has
+/// threads   0: as many as there are cores; the answer does not depend on it
+/// Cost O(tetrahedra), in place but for 8 bytes a tetrahedron.
+void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::vector<TetId> dead, std::size_t vertices,
+                          unsigned threads);
+
+/// Where sorted points come from.
+struct SortedOrigin {
+  std::vector<std::uint32_t> first_input;   ///< one a sorted point: the first input point there
+  std::vector<std::uint32_t> sorted_index;  ///< one an input point: its sorted point
+};
+
+struct TetPointMesh {
+  TetMesh mesh;
+  std::vector<MaybeId<VertexId>> vertex_of_input;  ///< one an input point, never none; duplicates share one
+};
+
+/// The tetrahedralisation of a point set as a mesh. Vertices are numbered in the order of the input points that made
+/// them; boundary faces, marker 1, come in the order of their tetrahedra.
+///
+/// cells   real tetrahedra alone (sort_and_drop_ghosts); its vertices are the sorted points
+/// input   becomes the mesh's points
+[[nodiscard]] TetPointMesh to_mesh(GhostTetrahedralization cells, SortedOrigin origin, std::vector<Point3> input,
+                                   unsigned threads);
+
+}  // namespace leonhard::delaunay
