@@ -27,7 +27,7 @@ Parts parts_of(double x) {
   return {fraction | (std::uint64_t{1} << 52), field - 1075};
 }
 
-constexpr std::uint32_t additions_before_carry = std::uint32_t{1} << 30;
+constexpr std::uint32_t additions_before_carry = std::uint32_t{1} << 29;
 
 }  // namespace
 
@@ -49,6 +49,46 @@ void ExactSum::add_product(double a, double b) {
   }
   digit[4] += negative ? -static_cast<std::int64_t>(high) : static_cast<std::int64_t>(high);
 
+  count_addition();
+}
+
+void ExactSum::add_product(double a, double b, double c) {
+  assert(std::isfinite(a) && std::isfinite(b) && std::isfinite(c));
+  const Parts p = parts_of(a), q = parts_of(b), r = parts_of(c);
+  const Wide first_two = static_cast<Wide>(p.mantissa) * q.mantissa;
+  const auto shift = static_cast<unsigned>(p.exponent + q.exponent + r.exponent - lowest_exponent);
+  const std::int64_t sign = (std::signbit(a) != std::signbit(b)) != std::signbit(c) ? -1 : 1;
+
+  // The product, 159 bits, as low + 2^64 high, and each part moved up by less than a digit: 117 and 95 bits become 148
+  // and 126, so five digits and four.
+  const unsigned up = shift % 32;
+  const Wide low = static_cast<Wide>(static_cast<std::uint64_t>(first_two)) * r.mantissa;
+  const Wide high = (first_two >> 64) * r.mantissa << up;
+  const Wide low_up = low << up;
+  const std::uint64_t low_top = static_cast<std::uint64_t>(low >> 96) >> (32 - up);
+  std::int64_t* digit = digits_.data() + shift / 32;
+  const auto part = [](Wide number, int i) {
+    return static_cast<std::int64_t>(static_cast<std::uint32_t>(number >> (32 * i)));
+  };
+  digit[0] += sign * part(low_up, 0);
+  digit[1] += sign * part(low_up, 1);
+  digit[2] += sign * (part(low_up, 2) + part(high, 0));
+  digit[3] += sign * (part(low_up, 3) + part(high, 1));
+  digit[4] += sign * (static_cast<std::int64_t>(low_top) + part(high, 2));
+  digit[5] += sign * part(high, 3);
+  count_addition();
+}
+
+void ExactSum::add_determinant(const Point3& p, const Point3& q, const Point3& r) {
+  add_product(p.x, q.y, r.z);
+  add_product(p.y, q.z, r.x);
+  add_product(p.z, q.x, r.y);
+  add_product(-p.z, q.y, r.x);
+  add_product(-p.y, q.x, r.z);
+  add_product(-p.x, q.z, r.y);
+}
+
+void ExactSum::count_addition() {
   if (++additions_ == additions_before_carry) {
     digits_ = carried(digits_);
     additions_ = 1;
