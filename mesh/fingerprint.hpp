@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <string>
 
+#include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard {
 
-/// A 128-bit name for a mesh as a set of triangles.
+/// A 128-bit name for a mesh as a set of cells.
 struct Fingerprint {
   std::uint64_t hi{}, lo{};
   /// 32 hexadecimal digits, hi first, lower case.
@@ -18,11 +19,12 @@ struct Fingerprint {
 
 namespace mesh {
 
-/// The mesh's fingerprint: each triangle is hashed from the sorted bit patterns of its corners' coordinates
-/// (-0 taken as 0), the hashes are sorted and hashed in that order. So the numbering of
-/// vertices and triangles and the corner a triangle starts with do not enter; neither do markers, names and
-/// neighbours. Not a defence against someone who constructs collisions. Cost O(triangles log triangles).
+/// The mesh's fingerprint: each cell (triangle, tetrahedron) is hashed from the sorted bit patterns of its corners'
+/// coordinates (-0 taken as 0), the hashes are sorted and hashed in that order. So the numbering of vertices and cells and
+/// the order of a cell's corners do not enter; neither do markers, names and neighbours. Not a defence against someone
+/// who constructs collisions. Cost O(cells log cells).
 [[nodiscard]] Fingerprint fingerprint(const TriangleMesh& mesh);
+[[nodiscard]] Fingerprint fingerprint(const TetMesh& mesh);
 
 }  // namespace mesh
 }  // namespace leonhard

@@ -2,40 +2,12 @@
 #include "leonhard/mesh/permute.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <string>
 #include <vector>
 
-#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/permutation.hpp"
 
 namespace leonhard::mesh {
 namespace {
-
-void check_permutation(const TriangleMesh& mesh, const PerId<VertexId, VertexId>& new_of_old) {
-  const char* remedy = "give every vertex a new number of its own from 0 to the number of vertices - 1";
-  const std::size_t count = mesh.vertex_count();
-  if (new_of_old.size() != count) {
-    throw InputError(
-        "new_of_old",
-        std::to_string(new_of_old.size()) + " entries for " + std::to_string(count) + " vertices", remedy);
-  }
-  PerId<VertexId, MaybeId<VertexId>> old_of_new(count);
-  for (const VertexId old : new_of_old.ids()) {
-    const VertexId id = new_of_old[old];
-    const std::string entry =
-        "vertex " + std::to_string(old.raw) + " is given the number " + std::to_string(id.raw);
-    if (!old_of_new.contains(id)) {
-      throw InputError("new_of_old", entry + ", but there are " + std::to_string(count) + " vertices",
-                       remedy);
-    }
-    if (old_of_new[id]) {
-      throw InputError("new_of_old",
-                       entry + ", which vertex " + std::to_string((*old_of_new[id]).raw) + " has already",
-                       remedy);
-    }
-    old_of_new[id] = old;
-  }
-}
 
 using Corners = std::array<VertexId, 3>;
 
@@ -60,17 +32,13 @@ std::vector<MarkedEdge> renumbered(std::vector<MarkedEdge> edges,
 
 TriangleMesh renumber_vertices(const TriangleMesh& mesh, const PerId<VertexId, VertexId>& new_of_old,
                                TriangleOrder order) {
-  check_permutation(mesh, new_of_old);
+  check_permutation(mesh.vertex_count(), new_of_old);
   TriangleMesh result;
   result.marker_names = mesh.marker_names;
   result.boundary = renumbered(mesh.boundary, new_of_old);
   result.constraints = renumbered(mesh.constraints, new_of_old);
-  result.points.resize(mesh.vertex_count());
-  result.vertex_markers.resize(mesh.vertex_markers.size());
-  for (const VertexId old : mesh.points.ids()) result.points[new_of_old[old]] = mesh.points[old];
-  for (const VertexId old : mesh.vertex_markers.ids()) {
-    result.vertex_markers[new_of_old[old]] = mesh.vertex_markers[old];
-  }
+  result.points = renumbered(mesh.points, new_of_old);
+  result.vertex_markers = renumbered(mesh.vertex_markers, new_of_old);
 
   PerId<TriangleId, Corners> corners = mesh.corners;
   for (Corners& triangle : corners) {

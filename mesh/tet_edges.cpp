@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "leonhard/mesh/faces.hpp"
 #include "leonhard/mesh/sorted_ends.hpp"
 
 namespace leonhard {
@@ -14,34 +15,27 @@ MaybeId<EdgeId> TetEdges::find(VertexId a, VertexId b) const {
 namespace mesh {
 namespace {
 
-/// Calls visit(smaller, larger end) for the six edges of every tetrahedron.
-template <class Visit>
-void for_each_side(const TetMesh& mesh, Visit visit) {
-  for (const auto& corners : mesh.corners) {
-    for (const auto& [i, j] : tet_edge_corners)
-      visit(std::min(corners[i], corners[j]), std::max(corners[i], corners[j]));
-  }
-}
-
-}  // namespace
-
-TetEdges build_edges(const TetMesh& mesh) {
-  // Larger ends in buckets by smaller end, one a tetrahedron about the edge.
-  std::vector<std::size_t> first(mesh.vertex_count() + 1, 0);
-  for_each_side(mesh, [&](VertexId low, VertexId) { ++first[low.index() + 1]; });
+/// The different pairs among many.
+///
+/// for_each_pair  calls a function with two vertices for each pair, in either order, the same pairs each time
+template <class ForEachPair>
+TetEdges edges_of(std::size_t vertices, ForEachPair for_each_pair) {
+  // Larger ends in buckets by smaller end.
+  std::vector<std::size_t> first(vertices + 1, 0);
+  for_each_pair([&](VertexId a, VertexId b) { ++first[std::min(a, b).index() + 1]; });
   for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  std::vector<VertexId> highs(6 * mesh.tet_count());
+  std::vector<VertexId> highs(first.back());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for_each_side(mesh, [&](VertexId low, VertexId high) { highs[next[low.index()]++] = high; });
+  for_each_pair([&](VertexId a, VertexId b) { highs[next[std::min(a, b).index()]++] = std::max(a, b); });
 
   TetEdges edges;
-  edges.ends.reserve(highs.size() / 5);  // some five tetrahedra lie about an edge
+  edges.ends.reserve(highs.size() / 5);  // some five tetrahedra lie about an edge, and as many faces
   edges.first_edge.reserve(first.size());
   edges.first_edge.push_back(0);
   PerId<VertexId, MaybeId<VertexId>> taken_from(
-      mesh.vertex_count());  // the last smaller end it was joined to
+      vertices);  // the last smaller end that a vertex was joined to
   std::vector<VertexId> group;
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+  for (std::size_t v = 0; v < vertices; ++v) {
     const VertexId low = VertexId::from(v);
     group.clear();
     for (std::size_t i = first[v]; i < first[v + 1]; ++i) {
@@ -54,6 +48,22 @@ TetEdges build_edges(const TetMesh& mesh) {
     edges.first_edge.push_back(static_cast<IdRaw>(edges.ends.size()));
   }
   return edges;
+}
+
+}  // namespace
+
+TetEdges build_edges(const TetMesh& mesh) {
+  return edges_of(mesh.vertex_count(), [&](auto visit) {
+    for (const auto& corners : mesh.corners) {
+      for (const auto& [i, j] : tet_edge_corners) visit(corners[i], corners[j]);
+    }
+  });
+}
+
+TetEdges build_edges(const FaceStructure& faces, std::size_t vertices) {
+  return edges_of(vertices, [&](auto visit) {
+    for (const auto& [a, b, c] : faces.corners) visit(a, b), visit(a, c), visit(b, c);
+  });
 }
 
 }  // namespace mesh

@@ -9,6 +9,8 @@
 
 namespace leonhard {
 
+struct FaceStructure;
+
 /// The edges of a tetrahedral mesh, sorted by (ends[0], ends[1]), so that their numbers depend on the vertices' numbers
 /// alone.
 struct TetEdges {
@@ -26,6 +28,12 @@ namespace mesh {
 /// The edges of a mesh, from its corners alone, which must be in range: whatever is wrong with its faces.
 /// Cost O(vertices + tetrahedra), one sort by buckets.
 [[nodiscard]] TetEdges build_edges(const TetMesh& mesh);
+
+/// The edges of faces.
+///
+/// vertices  their count; every corner is one of them
+/// Cost O(vertices + faces), one sort by buckets.
+[[nodiscard]] TetEdges build_edges(const FaceStructure& faces, std::size_t vertices);
 
 }  // namespace mesh
 }  // namespace leonhard
