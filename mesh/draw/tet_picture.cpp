@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "leonhard/kernel/input_error.hpp"
@@ -18,6 +17,7 @@
 #include "leonhard/mesh/draw/part_colours.hpp"
 #include "leonhard/mesh/draw/scene.hpp"
 #include "leonhard/mesh/draw/tet_scene.hpp"
+#include "leonhard/mesh/tet_quality.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::draw {
@@ -150,20 +150,9 @@ void colour_by_region(TetScene& scene) {
   }
 }
 
-// The smallest of the six angles between faces, by their outward normals.
 double smallest_dihedral_deg(const TetMesh& mesh, TetId t) {
-  std::array<Vec3, 4> normals;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& face = tet_face_corners[i];
-    const auto corner = [&](std::size_t k) { return mesh.points[mesh.corners[t][face[k]]]; };
-    normals[i] = cross(corner(1) - corner(0), corner(2) - corner(0));
-  }
-  double least = std::numbers::pi;
-  for (const auto& [i, j] : tet_edge_corners) {
-    const Vec3 &n = normals[i], &m = normals[j];
-    least = std::min(least, std::numbers::pi - std::atan2(norm(cross(n, m)), dot(n, m)));
-  }
-  return least * 180 / std::numbers::pi;
+  const auto& [a, b, c, d] = mesh.corners[t];
+  return mesh::tet_quality(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]).min_dihedral_deg;
 }
 
 void colour_by_quality(TetScene& scene) {

@@ -220,6 +220,7 @@ TEST_CASE("the_same_mesh_a_thousand_powers_of_two_larger_or_smaller_is_the_same_
   for (const CutStyle cut : {CutStyle::crinkled, CutStyle::planar}) {
     draw_tet_mesh(folder / "one.png", test::ball(4), TetFill::plain, bare({}, cut));
     for (const int power : {1000, -1000}) {
+      CAPTURE(power);
       TetMesh mesh = test::ball(4);
       for (Point3& p : mesh.points)
         p = {std::ldexp(p.x, power), std::ldexp(p.y, power), std::ldexp(p.z, power)};
