@@ -9,14 +9,18 @@
 
 namespace leonhard {
 
-/// Points of the plane with what their file says of them.
-struct PointSet {
-  std::vector<Point2> points;
+/// Points with what their file says of them.
+template <class Point>
+struct PointSetOf {
+  std::vector<Point> points;
   std::vector<Marker> markers;  ///< one a point, or empty
   std::size_t attributes_each = 0;
   std::vector<double> attributes;  ///< attributes_each a point, point after point
 
-  friend bool operator==(const PointSet&, const PointSet&) = default;
+  friend bool operator==(const PointSetOf&, const PointSetOf&) = default;
 };
+
+using PointSet = PointSetOf<Point2>;   ///< of the plane
+using PointSet3 = PointSetOf<Point3>;  ///< of space
 
 }  // namespace leonhard

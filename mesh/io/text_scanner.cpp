@@ -39,16 +39,17 @@ void refuse_what_is_no_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string read_whole_file(const std::filesystem::path& path) {
+std::string read_file_head(const std::filesystem::path& path, std::size_t most) {
   refuse_what_is_no_file(path);
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw InputError(path.string(), "cannot read file: " + reason(errno), "check its permissions");
   std::error_code no_size;
-  const std::uintmax_t expected = std::filesystem::file_size(path, no_size);
-  std::string bytes(no_size ? 0 : static_cast<std::size_t>(expected) + 1, '\0');
+  const std::uintmax_t size = std::filesystem::file_size(path, no_size);
+  const std::uintmax_t expected = std::min<std::uintmax_t>(no_size ? 0 : size, most - 1);
+  std::string bytes(static_cast<std::size_t>(expected) + 1, '\0');
   std::size_t used = 0;
-  while (true) {  // until the end rather than the size: files in /proc claim to be empty
-    if (used == bytes.size()) bytes.resize(2 * used + 4096);
+  while (used < most) {  // until the end rather than the size: files in /proc claim to be empty
+    if (used == bytes.size()) bytes.resize(std::min(most, 2 * used + 4096));
     const std::size_t got = std::fread(bytes.data() + used, 1, bytes.size() - used, file.get());
     used += got;
     if (got == 0) break;
@@ -57,6 +58,10 @@ std::string read_whole_file(const std::filesystem::path& path) {
   bytes.resize(used);
   if (bytes.empty()) throw InputError(path.string(), "file is empty", "was it written completely?");
   return bytes;
+}
+
+std::string read_whole_file(const std::filesystem::path& path) {
+  return read_file_head(path, std::numeric_limits<std::size_t>::max());
 }
 
 NumberFault parse_number(std::string_view word, double& value) {

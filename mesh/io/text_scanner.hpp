@@ -14,6 +14,9 @@ namespace leonhard::io {
 /// throws InputError if the file is missing, not readable, a folder or a device, or empty
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path);
 
+/// The first bytes of a file, `most` of them or all there are. throws as read_whole_file
+[[nodiscard]] std::string read_file_head(const std::filesystem::path& path, std::size_t most);
+
 /// How a text format separates its words.
 struct TextSyntax {
   char comment = '\0';           ///< the rest of the line after it is skipped; '\0': no comments
@@ -39,6 +42,11 @@ class TextScanner {
 
   /// As next_line, but throws the error of a file cut short: "file ends where <expected> was expected".
   void need_line(const char* expected);
+
+  /// Goes on to the next line where nothing is left of this one: for formats whose entries may span lines.
+  void need_word(const char* expected) {
+    if (line_done()) need_line(expected);
+  }
 
   [[nodiscard]] std::size_t line() const { return line_; }  ///< number of the current line, from 1
   [[nodiscard]] const std::string& source() const { return source_; }

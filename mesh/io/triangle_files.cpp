@@ -234,7 +234,7 @@ std::string format_poly(const Pslg& pslg) {
   for (std::size_t i = 0; i < pslg.regions.size(); ++i) {
     append_words(text, {static_cast<std::int64_t>(i)});
     append_point(text, pslg.regions[i].seed);
-    append_point(text, {pslg.regions[i].attribute, pslg.regions[i].max_area});
+    append_point(text, Point2{pslg.regions[i].attribute, pslg.regions[i].max_area});
     end_line(text);
   }
   return text;

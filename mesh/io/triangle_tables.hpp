@@ -10,7 +10,7 @@
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/point_set.hpp"
 
-/// What the files of Triangle share: numbered entries, vertices. Not meant for callers of the room.
+/// What the files of Triangle and TetGen share: numbered entries, vertices. Not meant for callers of the room.
 namespace leonhard::io {
 
 inline constexpr TextSyntax triangle_syntax{.comment = '#'};
@@ -18,15 +18,20 @@ inline constexpr TextSyntax triangle_syntax{.comment = '#'};
 inline constexpr std::size_t shortest_entry = 6;
 
 /// The vertices of a .node file or of the first part of a .poly file.
-struct VertexTable : PointSet {
+template <class Point>
+struct VertexTableOf : PointSetOf<Point> {
   std::int64_t first_number = 0;
 
   /// 0-based index of the vertex that the next word of the line numbers.
   std::size_t read_reference(TextScanner& scan, const char* expected) const;
 };
+using VertexTable = VertexTableOf<Point2>;
+using VertexTable3 = VertexTableOf<Point3>;
 
 /// Header and vertices; the scanner stays on the last vertex's line.
+/// throws InputError if the file is of the other dimension
 [[nodiscard]] VertexTable read_vertices(TextScanner& scan);
+[[nodiscard]] VertexTable3 read_vertices3(TextScanner& scan);
 
 /// Entries carry their number, counted from the first one's.
 void check_number(TextScanner& scan, const char* entry, std::int64_t expected);
@@ -39,6 +44,7 @@ void expect_end(TextScanner& scan, const char* last);
 /// Numbers with a blank after each; end_line makes the last one a line break.
 void append_words(std::string& text, std::initializer_list<std::int64_t> numbers);
 void append_point(std::string& text, Point2 p);
+void append_point(std::string& text, const Point3& p);
 void end_line(std::string& text);
 
 /// Header and vertices, numbered from 0.
@@ -46,6 +52,8 @@ void end_line(std::string& text);
 /// attributes  as many for each point as it is long in points; or empty
 /// markers     one a point, or empty
 void append_vertices(std::string& text, std::span<const Point2> points, std::span<const double> attributes,
+                     std::span<const Marker> markers);
+void append_vertices(std::string& text, std::span<const Point3> points, std::span<const double> attributes,
                      std::span<const Marker> markers);
 
 }  // namespace leonhard::io

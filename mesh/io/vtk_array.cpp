@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/byte_reader.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
@@ -197,12 +198,8 @@ struct NumberType {
 
 template <class Stored, class Wanted>
 void convert(const std::string& bytes, bool swapped, std::vector<Wanted>& numbers) {
-  for (std::size_t i = 0; i + sizeof(Stored) <= bytes.size(); i += sizeof(Stored)) {
-    std::array<char, sizeof(Stored)> raw;
-    std::memcpy(raw.data(), bytes.data() + i, sizeof(Stored));
-    if (swapped) std::reverse(raw.begin(), raw.end());
-    numbers.push_back(static_cast<Wanted>(std::bit_cast<Stored>(raw)));
-  }
+  for (std::size_t i = 0; i + sizeof(Stored) <= bytes.size(); i += sizeof(Stored))
+    numbers.push_back(static_cast<Wanted>(number_at<Stored>(bytes.data() + i, swapped)));
 }
 
 template <class Stored, class Wanted>

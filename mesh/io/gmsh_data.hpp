@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "leonhard/kernel/point.hpp"
+#include "leonhard/mesh/id.hpp"
+#include "leonhard/mesh/pslg.hpp"
+
+/// What a file of Gmsh states, before anything is checked. Not meant for callers of the room.
+namespace leonhard::io {
+
+/// A line, triangle, quadrilateral or tetrahedron. Nodes exist: the file's tags have become ids in the file's order.
+struct GmshCell {
+  std::array<VertexId, 4> corners;
+  Marker group = 0;        ///< number of its physical group, 0 if it is in none
+  std::uint32_t line = 0;  ///< of the file; 0 in a binary one
+};
+
+struct GmshData {
+  std::vector<Point3> points;
+  std::vector<GmshCell> lines, triangles, quadrilaterals, tetrahedra;
+  std::map<std::pair<int, Marker>, std::string> names;  ///< of physical groups, by dimension and number
+  std::vector<std::string> warnings;
+};
+
+/// A file of format 2.2 or 4.1, text or binary of either byte order (https://gmsh.info/doc/texinfo/gmsh.html,
+/// "Gmsh file formats"). Elements of points and lines of higher order are left out, and sections of data with a warning.
+///
+/// Where no cell is in a physical group and there is no section $PhysicalNames, the numbers of the geometry's entities
+/// stand for the groups'; a warning tells it. The sign of a physical group, which tells a direction, is dropped.
+///
+/// throws InputError with line or byte: no .msh file, another version, partitioned; hexahedra, prisms, pyramids and
+/// cells of higher order; nodes that are missing, repeated or not finite; a file cut short
+[[nodiscard]] GmshData parse_gmsh_data(std::string_view bytes, const std::string& source);
+
+}  // namespace leonhard::io
