@@ -3,15 +3,12 @@
 // survives its own writer. The input is a text of its own, or a list of edits to a valid text.
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "fuzz/fuzz_input.hpp"
-#include "leonhard/kernel/input_error.hpp"
+#include "fuzz/fuzz_text.hpp"
 #include "leonhard/mesh/io/airfoil_dat.hpp"
 #include "leonhard/mesh/io/number_text.hpp"
 #include "leonhard/mesh/io/simple_polygon.hpp"
@@ -24,13 +21,7 @@
 namespace {
 
 using namespace leonhard;
-
-[[noreturn]] void report(const std::string& broken, std::string_view text) {
-  std::fprintf(stderr, "\n%s, for the text\n", broken.c_str());
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fprintf(stderr, "\n");
-  std::abort();
-}
+using fuzzing::report;
 
 // ---- valid texts ----
 
@@ -153,12 +144,7 @@ void try_airfoil(const std::string& text) {
 
 // ---- inputs ----
 
-struct Format {
-  std::string valid;
-  void (*attempt)(const std::string& text);
-};
-
-std::vector<Format> formats() {
+std::vector<fuzzing::Format> formats() {
   const TriangleMesh mesh = sample_mesh();
   const io::TriangleFileTexts texts = io::format_triangle_files(mesh);
   return {{io::format_su2(mesh), try_su2},
@@ -174,42 +160,11 @@ std::vector<Format> formats() {
           {lednicer, try_airfoil}};
 }
 
-/// Replace, insert and erase bytes, or insert a word that readers fear.
-std::string edited(std::string text, fuzzing::Input& input) {
-  constexpr std::array words{"nan",         "-inf", "1e999", "-1", "0", "1",      "2",
-                             "99999999999", "\n",   " ",     "%",  "#", "1e-320", "0.5"};
-  while (!input.empty() && text.size() < 10000) {
-    const auto operation = input.take<std::uint8_t>();
-    const std::size_t at = input.take<std::uint16_t>() % (text.size() + 1);
-    const auto value = input.take<std::uint8_t>();
-    if (operation % 4 == 0) text.replace(at, 1, 1, static_cast<char>(value));
-    if (operation % 4 == 1) text.insert(at, 1, static_cast<char>(value));
-    if (operation % 4 == 2) text.erase(at, value % 16);
-    if (operation % 4 == 3) text.replace(at, operation / 4 % 3, words[value % words.size()]);
-  }
-  return text;
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::vector<Format> all = formats();
+  static const std::vector<fuzzing::Format> all = formats();
   fuzzing::Input input(data, size);
-  const auto choice = input.take<std::uint8_t>();
-  const Format& format = all[choice / 2 % all.size()];
-  std::string text;
-  if (choice % 2 == 0) {
-    text = edited(format.valid, input);
-  } else {
-    while (!input.empty()) text += static_cast<char>(input.take<std::uint8_t>());
-  }
-  try {
-    format.attempt(text);
-  } catch (const InputError& error) {
-    if (error.where().starts_with("again"))
-      report(std::string("what a writer wrote was refused: ") + error.what(), text);
-    if (std::string_view(error.what()).find("marker ") == 0)
-      report(std::string("a writer refused what its reader returned: ") + error.what(), text);
-  }
+  fuzzing::try_one(all, input);
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
 
 namespace leonhard::io {
 
@@ -37,5 +38,16 @@ void write_su2(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 /// The text that write_su2 writes.
 [[nodiscard]] std::string format_su2(const TriangleMesh& mesh);
+
+/// The same for tetrahedral meshes: NDIME= 3, cells of type 10, markers with elements of type 5 (triangle).
+///
+/// throws InputError: as read_su2; cells other than tetrahedra (hexahedra, prisms and pyramids by name), boundary faces
+/// without a marker, and as read_tet_mesh
+[[nodiscard]] TetMeshFile read_tet_su2(const std::filesystem::path& path);
+[[nodiscard]] TetMeshFile parse_tet_su2(std::string_view text, const std::string& source);
+
+/// The format has no place for vertex markers, regions and interfaces. throws as write_su2 of triangles
+void write_su2(const std::filesystem::path& path, const TetMesh& mesh);
+[[nodiscard]] std::string format_su2(const TetMesh& mesh);
 
 }  // namespace leonhard::io

@@ -143,19 +143,6 @@ void append_segment(std::string& text, std::size_t number, std::size_t from, std
   end_line(text);
 }
 
-std::string format_ele(const TriangleMesh& mesh) {
-  std::string text;
-  append_words(text, {static_cast<std::int64_t>(mesh.triangle_count()), 3, mesh.regions.empty() ? 0 : 1});
-  end_line(text);
-  for (const TriangleId t : mesh.corners.ids()) {
-    append_words(text, {static_cast<std::int64_t>(t.index())});
-    for (const VertexId v : mesh.corners[t]) append_words(text, {static_cast<std::int64_t>(v.index())});
-    if (!mesh.regions.empty()) append_number(text, mesh.regions[t]);
-    end_line(text);
-  }
-  return text;
-}
-
 std::string format_mesh_poly(const TriangleMesh& mesh) {
   std::string text = format_marker_notes(mesh.marker_names, syntax.comment);
   text += "# the vertices are in the .node file\n0 2 0 1\n";
@@ -166,19 +153,6 @@ std::string format_mesh_poly(const TriangleMesh& mesh) {
     for (const MarkedEdge& edge : *edges)
       append_segment(text, number++, edge.from.index(), edge.to.index(), edge.marker);
   return text + "0\n";
-}
-
-std::string format_neigh(const TriangleMesh& mesh) {
-  std::string text;
-  append_words(text, {static_cast<std::int64_t>(mesh.triangle_count()), 3});
-  end_line(text);
-  for (const TriangleId t : mesh.neighbours.ids()) {
-    append_words(text, {static_cast<std::int64_t>(t.index())});
-    for (const MaybeId<TriangleId> n : mesh.neighbours[t])
-      append_words(text, {n ? static_cast<std::int64_t>((*n).index()) : -1});
-    end_line(text);
-  }
-  return text;
 }
 
 std::filesystem::path sibling(std::filesystem::path path, const char* extension) {
@@ -275,9 +249,9 @@ MeshFile read_triangle_files(const std::filesystem::path& path) {
 TriangleFileTexts format_triangle_files(const TriangleMesh& mesh) {
   TriangleFileTexts texts;
   append_vertices(texts.node, mesh.points.flat(), {}, mesh.vertex_markers.flat());
-  texts.ele = format_ele(mesh);
+  texts.ele = format_ele(mesh.corners, mesh.regions);
   texts.poly = format_mesh_poly(mesh);
-  texts.neigh = format_neigh(mesh);
+  texts.neigh = format_neigh(mesh.neighbours);
   return texts;
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <string>
 
+#include "leonhard/mesh/id.hpp"
+#include "leonhard/mesh/io/number_text.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/point_set.hpp"
 
@@ -55,5 +58,37 @@ void append_vertices(std::string& text, std::span<const Point2> points, std::spa
                      std::span<const Marker> markers);
 void append_vertices(std::string& text, std::span<const Point3> points, std::span<const double> attributes,
                      std::span<const Marker> markers);
+
+/// The text of an .ele file, numbered from 0: corners, and regions unless there are none.
+template <class CellId, std::size_t corner_count>
+[[nodiscard]] std::string format_ele(const PerId<CellId, std::array<VertexId, corner_count>>& corners,
+                                     const PerId<CellId, double>& regions) {
+  std::string text;
+  append_words(text, {std::ssize(corners.flat()), corner_count, regions.empty() ? 0 : 1});
+  end_line(text);
+  for (const CellId cell : corners.ids()) {
+    append_words(text, {static_cast<std::int64_t>(cell.index())});
+    for (const VertexId v : corners[cell]) append_words(text, {static_cast<std::int64_t>(v.index())});
+    if (!regions.empty()) append_number(text, regions[cell]);
+    end_line(text);
+  }
+  return text;
+}
+
+/// The text of a .neigh file, numbered from 0; -1 where there is no neighbour.
+template <class CellId, std::size_t side_count>
+[[nodiscard]] std::string format_neigh(
+    const PerId<CellId, std::array<MaybeId<CellId>, side_count>>& neighbours) {
+  std::string text;
+  append_words(text, {std::ssize(neighbours.flat()), side_count});
+  end_line(text);
+  for (const CellId cell : neighbours.ids()) {
+    append_words(text, {static_cast<std::int64_t>(cell.index())});
+    for (const MaybeId<CellId> n : neighbours[cell])
+      append_words(text, {n ? static_cast<std::int64_t>((*n).index()) : -1});
+    end_line(text);
+  }
+  return text;
+}
 
 }  // namespace leonhard::io

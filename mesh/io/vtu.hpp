@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
 
 namespace leonhard {
 
@@ -57,6 +58,20 @@ void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
 
 /// The same as read_vtu from bytes in memory; source names them in errors.
 [[nodiscard]] MeshFile parse_vtu(std::string_view bytes, const std::string& source);
+
+/// The same for tetrahedral meshes: cells of type 10; field data `leonhard_boundary` and `leonhard_interfaces` (three
+/// vertices and the marker of a face). throws as write_vtu of triangles
+void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
+               const std::vector<PointField>& fields = {});
+[[nodiscard]] std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& fields = {});
+
+/// Read a .vtu of one piece whose cells are tetrahedra; triangles are marked faces, lines and points are left out. Files
+/// by other programs: a boundary face without a triangle cell gets a marker (see tet_soup.hpp), and triangles take theirs
+/// from the first of the cell arrays marker, gmsh:physical, medit:ref, CellEntityIds that there is.
+///
+/// throws InputError: as read_vtu; other cells (hexahedra, prisms and pyramids by name), and as read_tet_mesh
+[[nodiscard]] TetMeshFile read_tet_vtu(const std::filesystem::path& path);
+[[nodiscard]] TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source);
 
 }  // namespace io
 }  // namespace leonhard

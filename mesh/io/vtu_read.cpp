@@ -1,303 +1,192 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <span>
 #include <utility>
 
-#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/cell_soup.hpp"
+#include "leonhard/mesh/io/tet_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
-#include "leonhard/mesh/io/vtk_array.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
+#include "leonhard/mesh/io/vtu_grid.hpp"
 #include "leonhard/mesh/io/vtu_names.hpp"
-#include "leonhard/mesh/io/xml.hpp"
 
 namespace leonhard::io {
 
 namespace {
 
-// VTK's cell types.
-constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5, vtk_quadrilateral = 9;
+void check_vertex_count(const VtuGrid& grid, const VtuCells& cells, std::size_t c, std::size_t expected) {
+  if (cells.vertices(c).size() != expected)
+    grid.fail(*cells.array, "cell " + std::to_string(c) + " of type " + std::to_string(cells.types[c]) +
+                                " has " + std::to_string(cells.vertices(c).size()) + " vertices");
+}
 
-/// Names under which other programs keep the number of the physical curve that a line cell belongs to.
-constexpr const char* line_marker_names[] = {"marker", "gmsh:physical", "medit:ref", "CellEntityIds"};
+/// A cell's vertices as ids that exist.
+template <std::size_t count>
+std::array<VertexId, count> ids_of(const VtuGrid& grid, const VtuCells& cells, std::size_t c) {
+  check_vertex_count(grid, cells, c, count);
+  std::array<VertexId, count> ids;
+  for (std::size_t i = 0; i < count; ++i) ids[i] = grid.vertex(*cells.array, cells.vertices(c)[i]);
+  return ids;
+}
 
-class VtuReader {
- public:
-  VtuReader(const XmlElement& root, const std::string& source) : root_(root), source_(source) {
-    soup_.source = source;
+/// Rows of `count` vertices and a marker.
+template <std::size_t count, class Add>
+void for_each_marked(const VtuGrid& grid, const XmlElement& array, const Add& add) {
+  const std::vector<std::int64_t> rows = grid.read_rows(array, count + 1);
+  for (std::size_t i = 0; i < rows.size(); i += count + 1) {
+    std::array<VertexId, count> ids;
+    for (std::size_t k = 0; k < count; ++k) ids[k] = grid.vertex(array, rows[i + k]);
+    add(ids, grid.marker(array, rows[i + count]));
   }
+}
 
-  MeshFile read() {
-    const XmlElement& piece = open_piece();
-    read_points(piece);
-    read_cells(piece);
-    const bool knows_boundary = read_field_data(need(root_, "UnstructuredGrid").child("FieldData"));
-    MeshFile result = assemble(
-        std::move(soup_), knows_boundary ? EdgeRule::edges_are_the_boundary : EdgeRule::fill_in_the_boundary);
-    const auto has_marker_1 = [](const MarkedEdge& edge) { return edge.marker == 1; };
-    if (!knows_boundary &&
-        std::any_of(result.mesh.boundary.begin(), result.mesh.boundary.end(), has_marker_1))
-      result.mesh.marker_names.try_emplace(1, "boundary");
-    return result;
+/// Files of other programs: marked cells of the boundary got 1 where they have no marker, and so did faces without cells.
+template <class File>
+File with_name_for_1(File file, bool knows_boundary) {
+  const auto has_marker_1 = [](const auto& element) { return element.marker == 1; };
+  if (!knows_boundary && std::any_of(file.mesh.boundary.begin(), file.mesh.boundary.end(), has_marker_1))
+    file.mesh.marker_names.try_emplace(1, "boundary");
+  return file;
+}
+
+// ---- the plane ----
+
+void read_plane_points(const VtuGrid& grid, CellSoup& soup) {
+  const std::vector<Point3> points = grid.read_points();
+  soup.points.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].z != points[0].z)
+      grid.fail(grid.points_array(),
+                "point " + std::to_string(i) + " has z = " + std::to_string(points[i].z) +
+                    " unlike the first, which has z = " + std::to_string(points[0].z),
+                "only meshes in a plane z = const can be read");
+    soup.points.push_back({points[i].x, points[i].y});
   }
+  soup.vertex_markers = grid.read_vertex_markers();
+}
 
-  PointField read_field(const std::string& name) {
-    const XmlElement& piece = open_piece();
-    const XmlElement* data = piece.child("PointData");
-    const XmlElement* array = find_array(data, name);
-    if (array == nullptr)
-      fail(data != nullptr ? *data : piece, "there is no point field " + in_quotes(name), field_names(data));
-    PointField field{name, 1, {}};
-    const std::string components = array->attribute("NumberOfComponents", "1");
-    if (components != "1" && components != "2" && components != "3")
-      fail(*array, "the field " + in_quotes(name) + " has " + components + " components",
-           "1 to 3 can be read");
-    field.components = static_cast<std::size_t>(components[0] - '0');
-    field.values = read_doubles(*array, encoding_, field.components * point_count_);
-    for (std::size_t i = 0; i < field.values.size(); ++i)
-      if (!std::isfinite(field.values[i]))
-        fail(*array, "the field " + in_quotes(name) + " is not finite at vertex " +
-                         std::to_string(i / field.components));
-    return field;
-  }
-
- private:
-  /// Check what the file is and find its one piece.
-  const XmlElement& open_piece() {
-    if (root_.name != "VTKFile" || root_.attribute("type") != "UnstructuredGrid")
-      fail(root_, "this is no unstructured grid of VTK (<VTKFile type=\"UnstructuredGrid\">)",
-           "give a .vtu file");
-    encoding_ = vtk_encoding(root_, source_);
-    const XmlElement& grid = need(root_, "UnstructuredGrid");
-    if (std::count_if(grid.children.begin(), grid.children.end(),
-                      [](const XmlElement& child) { return child.name == "Piece"; }) > 1)
-      fail(grid, "the grid comes in several pieces", "merge them into one (ParaView: Merge Blocks)");
-    const XmlElement& piece = need(grid, "Piece");
-    point_count_ = read_count(piece, "NumberOfPoints");
-    cell_count_ = read_count(piece, "NumberOfCells");
-    return piece;
-  }
-
-  [[noreturn]] void fail(const XmlElement& element, std::string problem, std::string remedy = {}) const {
-    throw InputError(at_line(source_, element.line), std::move(problem), std::move(remedy));
-  }
-
-  const XmlElement& need(const XmlElement& parent, std::string_view name) const {
-    const XmlElement* child = parent.child(name);
-    if (child == nullptr)
-      fail(parent, "the element <" + std::string(parent.name) + "> has no <" + std::string(name) + ">",
-           "the file was cut short, or is no grid of VTK");
-    return *child;
-  }
-
-  /// "it has density, mach", for the message about a field that is not there.
-  static std::string field_names(const XmlElement* data) {
-    std::string names;
-    if (data != nullptr)
-      for (const XmlElement& child : data->children)
-        if (child.name == "DataArray") names += (names.empty() ? "it has " : ", ") + child.attribute("Name");
-    return names;
-  }
-
-  static const XmlElement* find_array(const XmlElement* data, std::string_view name) {
-    if (data == nullptr) return nullptr;
-    const auto found =
-        std::find_if(data->children.begin(), data->children.end(), [&](const XmlElement& child) {
-          return child.name == "DataArray" && child.attribute("Name") == name;
-        });
-    return found == data->children.end() ? nullptr : &*found;
-  }
-
-  const XmlElement& need_array(const XmlElement& data, std::string_view name) const {
-    const XmlElement* array = find_array(&data, name);
-    if (array == nullptr)
-      fail(data, "the element <" + std::string(data.name) + "> has no array " + in_quotes(name));
-    return *array;
-  }
-
-  std::size_t read_count(const XmlElement& element, const char* attribute) const {
-    const std::string text = element.attribute(attribute);
-    TextScanner scan(text, source_, {.lines_before = element.line - 1});
-    scan.need_line(attribute);
-    const std::int64_t count = scan.integer(attribute);
-    // Whether the file can hold so many is known to the arrays; this keeps later sums from overflowing.
-    if (count < 0 || count >= std::int64_t{std::numeric_limits<IdRaw>::max() / 4})
-      fail(element, std::string(attribute) + " is " + std::to_string(count) + ", which no mesh can have");
-    return static_cast<std::size_t>(count);
-  }
-
-  /// A whole number from a file as a vertex id; assemble checks its range.
-  VertexId vertex(const XmlElement& array, std::int64_t id) const {
-    if (id < 0 || static_cast<std::uint64_t>(id) >= point_count_)
-      fail(array, "vertex " + std::to_string(id) + " does not exist, the file has vertices 0 to " +
-                      std::to_string(static_cast<std::int64_t>(point_count_) - 1));
-    return VertexId::from(static_cast<std::size_t>(id));
-  }
-
-  Marker marker(const XmlElement& array, std::int64_t value) const {
-    if (value < std::numeric_limits<Marker>::min() || value > std::numeric_limits<Marker>::max())
-      fail(array, "the marker " + std::to_string(value) + " does not fit 32 bits");
-    return static_cast<Marker>(value);
-  }
-
-  /// An array of whole numbers with one number a row, or none if it is missing or of another shape.
-  std::optional<std::vector<std::int64_t>> find_numbers(const XmlElement* data, std::string_view name,
-                                                        std::size_t count) const {
-    const XmlElement* array = find_array(data, name);
-    if (array == nullptr || array->attribute("NumberOfComponents", "1") != "1") return std::nullopt;
-    if (array->attribute("type").starts_with("Float")) return std::nullopt;
-    return read_integers(*array, encoding_, count);
-  }
-
-  void read_points(const XmlElement& piece) {
-    const XmlElement& points = need(piece, "Points");
-    const XmlElement& array = need(points, "DataArray");
-    if (array.attribute("NumberOfComponents") != "3") fail(array, "points have other than 3 components");
-    const std::vector<double> coordinates = read_doubles(array, encoding_, 3 * point_count_);
-    soup_.points.reserve(point_count_);
-    for (std::size_t i = 0; i < coordinates.size(); i += 3) {
-      if (coordinates[i + 2] != coordinates[2])
-        fail(array,
-             "point " + std::to_string(i / 3) + " has z = " + std::to_string(coordinates[i + 2]) +
-                 " unlike the first, which has z = " + std::to_string(coordinates[2]),
-             "only meshes in a plane z = const can be read");
-      soup_.points.push_back({coordinates[i], coordinates[i + 1]});
+void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
+  const VtuCells cells = grid.read_cells();
+  const std::vector<Marker> markers = grid.read_cell_markers();
+  const std::vector<double> regions = grid.read_regions();
+  for (std::size_t c = 0; c < cells.count(); ++c) {
+    const std::int64_t type = cells.types[c];
+    if (type == vtk_vertex) {
+      check_vertex_count(grid, cells, c, 1);
+    } else if (type == vtk_line) {
+      const auto [from, to] = ids_of<2>(grid, cells, c);
+      soup.edges.push_back({from, to, markers.empty() ? 1 : markers[c]});
+    } else if (type == vtk_triangle) {
+      const auto [i, j, k] = ids_of<3>(grid, cells, c);
+      soup.cells.push_back({{i, j, k}, 3});
+    } else if (type == vtk_quadrilateral) {
+      soup.cells.push_back({ids_of<4>(grid, cells, c), 4});
+    } else {
+      grid.fail(*cells.array, "cell " + std::to_string(c) + " has the type " + std::to_string(type),
+                "only triangles (5), quadrilaterals (9), and lines (3) on the boundary can be read");
     }
-    const XmlElement* data = piece.child("PointData");
-    if (const auto markers = find_numbers(data, vtu_names::vertex_marker, point_count_))
-      for (const std::int64_t value : *markers)
-        soup_.vertex_markers.push_back(marker(*find_array(data, vtu_names::vertex_marker), value));
+    const bool is_cell = type == vtk_triangle || type == vtk_quadrilateral;
+    if (is_cell && !regions.empty()) soup.cell_regions.push_back(regions[c]);
   }
+}
 
-  void read_cells(const XmlElement& piece) {
-    const XmlElement& cells = need(piece, "Cells");
-    const XmlElement& array = need_array(cells, "connectivity");
-    const auto offsets = read_integers(need_array(cells, "offsets"), encoding_, cell_count_);
-    const auto types = read_integers(need_array(cells, "types"), encoding_, cell_count_);
-    const auto connectivity = read_integers(array, encoding_, std::nullopt);
-    const std::vector<Marker> line_markers = read_line_markers(piece.child("CellData"));
-    const std::vector<double> regions = read_regions(piece.child("CellData"));
-    std::int64_t begin = 0;
-    for (std::size_t c = 0; c < cell_count_; ++c) {
-      const std::int64_t end = offsets[c];
-      if (end < begin || end > std::ssize(connectivity))
-        fail(array, "cell " + std::to_string(c) + " ends at entry " + std::to_string(end) + " of " +
-                        std::to_string(connectivity.size()) + ", and begins at " + std::to_string(begin));
-      const std::span<const std::int64_t> corners(connectivity.data() + begin,
-                                                  static_cast<std::size_t>(end - begin));
-      if (add_cell(array, c, types[c], corners, line_markers.empty() ? 1 : line_markers[c]) &&
-          !regions.empty())
-        soup_.cell_regions.push_back(regions[c]);
-      begin = end;
-    }
-  }
-
-  /// returns whether the cell is a triangle or a quadrilateral
-  bool add_cell(const XmlElement& array, std::size_t c, std::int64_t type,
-                std::span<const std::int64_t> corners, Marker line_marker) {
-    const std::size_t expected = type == vtk_vertex          ? 1
-                                 : type == vtk_line          ? 2
-                                 : type == vtk_triangle      ? 3
-                                 : type == vtk_quadrilateral ? 4
-                                                             : 0;
-    if (expected == 0)
-      fail(array, "cell " + std::to_string(c) + " has the type " + std::to_string(type),
-           "only triangles (5), quadrilaterals (9), and lines (3) on the boundary can be read");
-    if (corners.size() != expected)
-      fail(array, "cell " + std::to_string(c) + " of type " + std::to_string(type) + " has " +
-                      std::to_string(corners.size()) + " vertices");
-    if (type == vtk_vertex) return false;
-    if (type == vtk_line) {
-      soup_.edges.push_back({vertex(array, corners[0]), vertex(array, corners[1]), line_marker});
-      return false;
-    }
-    Cell cell;
-    cell.corner_count = static_cast<std::uint32_t>(expected);
-    for (std::size_t i = 0; i < expected; ++i) cell.corners[i] = vertex(array, corners[i]);
-    soup_.cells.push_back(cell);
+/// returns whether the file says what the boundary is, as those that write_vtu wrote do
+bool read_plane_boundary(const VtuGrid& grid, CellSoup& soup) {
+  const auto read = [&](const char* name, std::vector<MarkedEdge>& edges) {
+    const XmlElement* array = VtuGrid::find_array(grid.field_data(), name);
+    if (array == nullptr) return false;
+    edges.clear();
+    for_each_marked<2>(grid, *array, [&](const std::array<VertexId, 2>& ends, Marker marker) {
+      edges.push_back({ends[0], ends[1], marker});
+    });
     return true;
-  }
+  };
+  soup.marker_names = grid.read_marker_names();
+  read(vtu_names::constraints, soup.constraints);
+  return read(vtu_names::boundary, soup.edges);
+}
 
-  std::vector<Marker> read_line_markers(const XmlElement* cell_data) const {
-    for (const char* name : line_marker_names) {
-      const auto numbers = find_numbers(cell_data, name, cell_count_);
-      if (!numbers) continue;
-      std::vector<Marker> markers;
-      for (const std::int64_t value : *numbers)
-        markers.push_back(marker(*find_array(cell_data, name), value));
-      return markers;
+// ---- space ----
+
+void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
+  const VtuCells cells = grid.read_cells();
+  const std::vector<Marker> markers = grid.read_cell_markers();
+  const std::vector<double> regions = grid.read_regions();
+  for (std::size_t c = 0; c < cells.count(); ++c) {
+    const std::int64_t type = cells.types[c];
+    if (type == vtk_vertex) {
+      check_vertex_count(grid, cells, c, 1);
+    } else if (type == vtk_line) {
+      check_vertex_count(grid, cells, c, 2);
+    } else if (type == vtk_triangle) {
+      soup.faces.push_back({ids_of<3>(grid, cells, c), markers.empty() ? 1 : markers[c]});
+    } else if (type == vtk_tetrahedron) {
+      soup.cells.push_back({ids_of<4>(grid, cells, c)});
+      if (!regions.empty()) soup.cell_regions.push_back(regions[c]);
+    } else {
+      const char* name = type == 12   ? " (hexahedron)"
+                         : type == 13 ? " (prism)"
+                         : type == 14 ? " (pyramid)"
+                                      : "";
+      grid.fail(*cells.array, "cell " + std::to_string(c) + " has the type " + std::to_string(type) + name,
+                "only tetrahedra (10), and triangles (5) on the boundary or inside, can be read");
     }
-    return {};
   }
+}
 
-  std::vector<double> read_regions(const XmlElement* cell_data) const {
-    const XmlElement* array = find_array(cell_data, vtu_names::region);
-    if (array == nullptr || array->attribute("NumberOfComponents", "1") != "1") return {};
-    return read_doubles(*array, encoding_, cell_count_);
-  }
-
-  std::vector<MarkedEdge> read_edges(const XmlElement& array) const {
-    const auto rows = read_integers(array, encoding_, std::nullopt);
-    if (rows.size() % 3 != 0) fail(array, "the edges do not come in rows of three numbers");
-    std::vector<MarkedEdge> edges;
-    for (std::size_t i = 0; i < rows.size(); i += 3)
-      edges.push_back({vertex(array, rows[i]), vertex(array, rows[i + 1]), marker(array, rows[i + 2])});
-    return edges;
-  }
-
-  void read_marker_names(const XmlElement& names_array, const XmlElement& numbers_array) {
-    const auto numbers = read_integers(numbers_array, encoding_, std::nullopt);
-    std::vector<std::string> names(1);
-    for (const std::int64_t byte : read_integers(names_array, encoding_, std::nullopt)) {
-      if (byte == 0) {
-        names.emplace_back();
-      } else {
-        names.back() += static_cast<char>(byte);
-      }
-    }
-    if (names.size() != numbers.size() + 1)
-      fail(names_array, "the numbers of markers and of their names differ");
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      soup_.marker_names.insert_or_assign(marker(numbers_array, numbers[i]), names[i]);
-  }
-
-  /// returns whether the file says what the boundary is, as those that write_vtu wrote do
-  bool read_field_data(const XmlElement* field_data) {
-    const XmlElement* numbers = find_array(field_data, vtu_names::marker_numbers);
-    const XmlElement* names = find_array(field_data, vtu_names::marker_names);
-    if (numbers != nullptr && names != nullptr) read_marker_names(*names, *numbers);
-    if (const XmlElement* array = find_array(field_data, vtu_names::constraints))
-      soup_.constraints = read_edges(*array);
-    const XmlElement* boundary = find_array(field_data, vtu_names::boundary);
-    if (boundary != nullptr) soup_.edges = read_edges(*boundary);
-    return boundary != nullptr;
-  }
-
-  const XmlElement& root_;
-  const std::string& source_;
-  VtkEncoding encoding_;
-  CellSoup soup_;
-  std::size_t point_count_ = 0, cell_count_ = 0;
-};
+/// returns whether the file says what the boundary is, as those that write_vtu wrote do
+bool read_space_boundary(const VtuGrid& grid, TetSoup& soup) {
+  const XmlElement* boundary = VtuGrid::find_array(grid.field_data(), vtu_names::boundary);
+  soup.marker_names = grid.read_marker_names();
+  if (boundary == nullptr) return false;
+  soup.faces.clear();
+  const auto add = [&](const std::array<VertexId, 3>& corners, Marker marker) {
+    soup.faces.push_back({corners, marker});
+  };
+  for_each_marked<3>(grid, *boundary, add);
+  if (const XmlElement* interfaces = VtuGrid::find_array(grid.field_data(), vtu_names::interfaces))
+    for_each_marked<3>(grid, *interfaces, add);
+  return true;
+}
 
 }  // namespace
 
 MeshFile parse_vtu(std::string_view bytes, const std::string& source) {
   const XmlElement root = parse_xml(bytes, source, "AppendedData");
-  return VtuReader(root, source).read();
+  const VtuGrid grid(root, source);
+  CellSoup soup;
+  soup.source = source;
+  read_plane_points(grid, soup);
+  read_plane_cells(grid, soup);
+  const bool knows_boundary = read_plane_boundary(grid, soup);
+  const EdgeRule rule = knows_boundary ? EdgeRule::edges_are_the_boundary : EdgeRule::fill_in_the_boundary;
+  return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
+}
+
+TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source) {
+  const XmlElement root = parse_xml(bytes, source, "AppendedData");
+  const VtuGrid grid(root, source);
+  TetSoup soup;
+  soup.source = source;
+  soup.points = PerId<VertexId, Point3>(grid.read_points());
+  soup.vertex_markers = grid.read_vertex_markers();
+  read_space_cells(grid, soup);
+  const bool knows_boundary = read_space_boundary(grid, soup);
+  const FaceRule rule = knows_boundary ? FaceRule::boundary_and_interfaces : FaceRule::fill_in_the_boundary;
+  return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
 }
 
 MeshFile read_vtu(const std::filesystem::path& path) {
   return parse_vtu(read_whole_file(path), path.string());
 }
 
+TetMeshFile read_tet_vtu(const std::filesystem::path& path) {
+  return parse_tet_vtu(read_whole_file(path), path.string());
+}
+
 PointField read_vtu_field(const std::filesystem::path& path, const std::string& name) {
   const std::string bytes = read_whole_file(path), source = path.string();
   const XmlElement root = parse_xml(bytes, source, "AppendedData");
-  return VtuReader(root, source).read_field(name);
+  return VtuGrid(root, source).read_field(name);
 }
 
 }  // namespace leonhard::io

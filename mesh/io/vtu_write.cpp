@@ -15,7 +15,7 @@ namespace leonhard::io {
 
 namespace {
 
-constexpr std::uint8_t vtk_triangle = 5;
+constexpr std::uint8_t triangle_type = 5, tetrahedron_type = 10;
 
 template <class T>
 constexpr const char* vtk_type() {
@@ -50,7 +50,7 @@ class VtuText {
   std::string xml_, appended_;
 };
 
-void check_fields(const TriangleMesh& mesh, const std::vector<PointField>& fields) {
+void check_fields(std::size_t vertex_count, const std::vector<PointField>& fields) {
   std::set<std::string> names{vtu_names::vertex_marker};
   for (const PointField& field : fields) {
     const std::string where = "field \"" + field.name + "\"";
@@ -58,10 +58,10 @@ void check_fields(const TriangleMesh& mesh, const std::vector<PointField>& field
     if (!names.insert(field.name).second)
       throw InputError(where, "another point field has this name",
                        "give each field a name of its own, not \"marker\"");
-    if (field.components == 0 || field.values.size() != field.components * mesh.vertex_count())
+    if (field.components == 0 || field.values.size() != field.components * vertex_count)
       throw InputError(where, std::to_string(field.values.size()) + " values in rows of " +
                                   std::to_string(field.components) + " do not fit " +
-                                  std::to_string(mesh.vertex_count()) + " vertices");
+                                  std::to_string(vertex_count) + " vertices");
   }
 }
 
@@ -74,18 +74,36 @@ std::vector<double> with_third_component(const std::vector<double>& pairs) {
   return triples;
 }
 
-std::vector<std::int64_t> edge_rows(const std::vector<MarkedEdge>& edges) {
+/// Rows of the vertices and the marker of each.
+std::vector<std::int64_t> rows_of(const std::vector<MarkedEdge>& edges) {
   std::vector<std::int64_t> rows;
   for (const MarkedEdge& edge : edges)
     rows.insert(rows.end(), {static_cast<std::int64_t>(edge.from.index()),
                              static_cast<std::int64_t>(edge.to.index()), std::int64_t{edge.marker}});
   return rows;
 }
+std::vector<std::int64_t> rows_of(const std::vector<MarkedFace>& faces) {
+  std::vector<std::int64_t> rows;
+  for (const MarkedFace& face : faces) {
+    for (const VertexId v : face.corners) rows.push_back(static_cast<std::int64_t>(v.index()));
+    rows.push_back(face.marker);
+  }
+  return rows;
+}
 
-void write_field_data(VtuText& text, const TriangleMesh& mesh) {
+void write_boundary(VtuText& text, const TriangleMesh& mesh) {
+  text.array(vtu_names::boundary, 3, rows_of(mesh.boundary), true);
+  if (!mesh.constraints.empty()) text.array(vtu_names::constraints, 3, rows_of(mesh.constraints), true);
+}
+void write_boundary(VtuText& text, const TetMesh& mesh) {
+  text.array(vtu_names::boundary, 4, rows_of(mesh.boundary), true);
+  if (!mesh.interfaces.empty()) text.array(vtu_names::interfaces, 4, rows_of(mesh.interfaces), true);
+}
+
+template <class Mesh>
+void write_field_data(VtuText& text, const Mesh& mesh) {
   text.line("<FieldData>");
-  text.array(vtu_names::boundary, 3, edge_rows(mesh.boundary), true);
-  if (!mesh.constraints.empty()) text.array(vtu_names::constraints, 3, edge_rows(mesh.constraints), true);
+  write_boundary(text, mesh);
   if (!mesh.marker_names.empty()) {
     std::vector<std::int64_t> numbers;
     std::vector<std::uint8_t> names;
@@ -103,7 +121,8 @@ void write_field_data(VtuText& text, const TriangleMesh& mesh) {
   text.line("</FieldData>");
 }
 
-void write_point_data(VtuText& text, const TriangleMesh& mesh, const std::vector<PointField>& fields) {
+template <class Mesh>
+void write_point_data(VtuText& text, const Mesh& mesh, const std::vector<PointField>& fields) {
   text.line("<PointData>");
   for (const PointField& field : fields) {
     if (field.components == 2) {
@@ -116,7 +135,11 @@ void write_point_data(VtuText& text, const TriangleMesh& mesh, const std::vector
   text.line("</PointData>");
 }
 
-void write_grid(VtuText& text, const TriangleMesh& mesh) {
+Point3 in_space(Point2 p) { return {p.x, p.y, 0}; }
+const Point3& in_space(const Point3& p) { return p; }
+
+template <class Mesh>
+void write_grid(VtuText& text, const Mesh& mesh, std::uint8_t cell_type) {
   text.line("<CellData>");
   if (!mesh.regions.empty()) text.array(vtu_names::region, 1, mesh.regions.flat());
   text.line("</CellData>");
@@ -124,28 +147,30 @@ void write_grid(VtuText& text, const TriangleMesh& mesh) {
   text.line("<Points>");
   std::vector<double> coordinates;
   coordinates.reserve(3 * mesh.vertex_count());
-  for (const Point2 p : mesh.points) coordinates.insert(coordinates.end(), {p.x, p.y, 0.0});
+  for (const auto& point : mesh.points) {
+    const Point3 p = in_space(point);
+    coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
+  }
   text.array("Points", 3, coordinates);
   text.line("</Points>");
 
   text.line("<Cells>");
   std::vector<std::int64_t> connectivity, offsets;
-  connectivity.reserve(3 * mesh.triangle_count());
-  offsets.reserve(mesh.triangle_count());
+  connectivity.reserve(4 * mesh.corners.size());
+  offsets.reserve(mesh.corners.size());
   for (const auto& corners : mesh.corners) {
     for (const VertexId v : corners) connectivity.push_back(static_cast<std::int64_t>(v.index()));
     offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
   text.array("connectivity", 1, connectivity);
   text.array("offsets", 1, offsets);
-  text.array("types", 1, std::vector<std::uint8_t>(mesh.triangle_count(), vtk_triangle));
+  text.array("types", 1, std::vector<std::uint8_t>(mesh.corners.size(), cell_type));
   text.line("</Cells>");
 }
 
-}  // namespace
-
-std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& fields) {
-  check_fields(mesh, fields);
+template <class Mesh>
+std::string format(const Mesh& mesh, const std::vector<PointField>& fields, std::uint8_t cell_type) {
+  check_fields(mesh.vertex_count(), fields);
   VtuText text;
   const std::string compressor(vtk_compressor());
   text.line("<?xml version=\"1.0\"?>");
@@ -156,15 +181,28 @@ std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& 
   text.line("<UnstructuredGrid>");
   write_field_data(text, mesh);
   text.line("<Piece NumberOfPoints=\"" + std::to_string(mesh.vertex_count()) + "\" NumberOfCells=\"" +
-            std::to_string(mesh.triangle_count()) + "\">");
+            std::to_string(mesh.corners.size()) + "\">");
   write_point_data(text, mesh, fields);
-  write_grid(text, mesh);
+  write_grid(text, mesh, cell_type);
   text.line("</Piece>");
   text.line("</UnstructuredGrid>");
   return std::move(text).finish();
 }
 
+}  // namespace
+
+std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& fields) {
+  return format(mesh, fields, triangle_type);
+}
+std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& fields) {
+  return format(mesh, fields, tetrahedron_type);
+}
+
 void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
+               const std::vector<PointField>& fields) {
+  write_file_atomically(path, format_vtu(mesh, fields));
+}
+void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
                const std::vector<PointField>& fields) {
   write_file_atomically(path, format_vtu(mesh, fields));
 }

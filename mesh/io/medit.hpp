@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
+
+namespace leonhard::io {
+
+/// Read a tetrahedral mesh in Medit's text format (P. Frey, INRIA RT-0253, 2001): Vertices, Tetrahedra and Triangles with
+/// their references, which are the vertices' markers, the regions, and the markers of faces; sections in any order,
+/// # starts a comment. Sections of edges, corners, normals and the like are passed over with a warning.
+///
+/// A boundary face that is not listed gets a marker (see tet_soup.hpp), listed inner faces with a reference other than 0
+/// are interfaces. Ids are the file's numbers less 1.
+///
+/// throws InputError: a file of the plane, other cells than triangles and tetrahedra, and as read_tet_mesh
+[[nodiscard]] TetMeshFile read_medit(const std::filesystem::path& path);
+
+/// The same from text in memory; source names it in errors.
+[[nodiscard]] TetMeshFile parse_medit(std::string_view text, const std::string& source);
+
+/// Write a mesh so that read_medit gives it back, names of markers included (as leading comments "# marker 2 farfield").
+///
+/// throws InputError if a region is no whole number of 32 bits, or if a marker's name cannot stand in a comment, OutputError
+void write_medit(const std::filesystem::path& path, const TetMesh& mesh);
+
+/// The text that write_medit writes.
+[[nodiscard]] std::string format_medit(const TetMesh& mesh);
+
+}  // namespace leonhard::io

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "leonhard/mesh/id.hpp"
+#include "leonhard/mesh/io/text_scanner.hpp"
+#include "leonhard/mesh/pslg.hpp"
+
+/// What SU2 meshes of the plane and of space have in common. Not meant for callers of the room.
+namespace leonhard::io {
+
+/// The tag of a marker without a name.
+[[nodiscard]] std::string su2_unnamed_tag(Marker marker);
+
+/// The tags under which markers are written: their names, or else su2_unnamed_tag.
+/// throws InputError if two markers share a tag, or one cannot stand in a file
+[[nodiscard]] std::map<Marker, std::string> su2_tags(const std::map<Marker, std::string>& names,
+                                                     const std::set<Marker>& used);
+
+/// Reads the sections of an SU2 file in any order; what cells, points and boundary elements look like is up to the
+/// dimension.
+class Su2Parser {
+ public:
+  Su2Parser(const Su2Parser&) = delete;
+  Su2Parser& operator=(const Su2Parser&) = delete;
+
+ protected:
+  /// dimension  2 or 3, which the file must have
+  Su2Parser(std::string_view text, const std::string& source, int dimension);
+  ~Su2Parser() = default;
+
+  /// All sections; then the markers have their numbers, and names() and warnings() are complete.
+  void read_sections();
+
+  /// The next words as a vertex id, whose range is checked later.
+  VertexId read_vertex(const char* expected);
+  TextScanner& scan() { return scan_; }
+  std::map<Marker, std::string>& names() { return notes_; }
+  std::vector<std::string>& warnings() { return warnings_; }
+
+ private:
+  /// A cell after its number in the file; the scanner stands on its type.
+  virtual void read_cell(std::size_t index) = 0;
+  virtual void read_coordinates() = 0;
+  /// An element of the boundary; the scanner stands on its type.
+  virtual void read_boundary_element(const std::string& tag, Marker marker) = 0;
+  virtual void reserve(std::size_t cells, std::size_t points) = 0;
+  /// Replace every marker m by number_of_tag[m - 1].
+  virtual void renumber(const std::vector<Marker>& number_of_tag) = 0;
+
+  void read_section(const std::string& keyword);
+  void read_dimension();
+  void read_zone_count();
+  void need_entry(const char* entry, std::size_t index, std::size_t count);
+  void compare_number(const char* entry, std::size_t index, std::int64_t number);
+  void read_point_numbers(std::size_t index);
+  void read_cells();
+  void read_points();
+  void read_marker_count();
+  void read_marker();
+  std::string read_tag();
+  void check_complete() const;
+  void number_markers();
+
+  TextScanner scan_;
+  int dimension_;
+  std::map<Marker, std::string> notes_;
+  std::set<std::string> sections_;
+  std::vector<std::string> tags_;
+  std::size_t marker_count_ = 0;
+  bool skipping_ = false;       ///< inside a section that is not known
+  bool number_warned_ = false;  ///< one warning about entry numbers is enough
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace leonhard::io

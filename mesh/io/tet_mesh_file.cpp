@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
+
+#include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/gmsh.hpp"
+#include "leonhard/mesh/io/medit.hpp"
+#include "leonhard/mesh/io/su2.hpp"
+#include "leonhard/mesh/io/tetgen_files.hpp"
+#include "leonhard/mesh/io/vtu.hpp"
+
+namespace leonhard::io {
+
+const std::vector<std::string>& tet_mesh_extensions() {
+  static const std::vector<std::string> known{".su2",  ".vtu", ".msh",  ".mesh",
+                                              ".node", ".ele", ".face", ".neigh"};
+  return known;
+}
+
+TetMeshFile read_tet_mesh(const std::filesystem::path& path) {
+  const std::string extension = known_extension(path, tet_mesh_extensions(), "tetrahedral mesh");
+  if (extension == ".su2") return read_tet_su2(path);
+  if (extension == ".vtu") return read_tet_vtu(path);
+  if (extension == ".msh") return read_tet_gmsh(path);
+  if (extension == ".mesh") return read_medit(path);
+  return read_tetgen_files(path);
+}
+
+void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh) {
+  const std::string extension = known_extension(path, tet_mesh_extensions(), "tetrahedral mesh");
+  if (extension == ".su2") return write_su2(path, mesh);
+  if (extension == ".vtu") return write_vtu(path, mesh);
+  if (extension == ".msh") return write_gmsh(path, mesh);
+  if (extension == ".mesh") return write_medit(path, mesh);
+  return write_tetgen_files(path, mesh);
+}
+
+}  // namespace leonhard::io
