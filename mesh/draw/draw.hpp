@@ -8,3 +8,5 @@
 #include "leonhard/mesh/draw/mesh_picture.hpp"
 #include "leonhard/mesh/draw/pattern.hpp"
 #include "leonhard/mesh/draw/picture.hpp"
+#include "leonhard/mesh/draw/tet_picture.hpp"
+#include "leonhard/mesh/draw/view3.hpp"

@@ -7,6 +7,7 @@
 #include "leonhard/mesh/draw/index_raster.hpp"
 #include "leonhard/mesh/draw/line_writer.hpp"
 #include "leonhard/mesh/draw/mesh_picture.hpp"
+#include "leonhard/mesh/draw/part_colours.hpp"
 #include "leonhard/mesh/draw/scene.hpp"
 
 namespace leonhard::draw {
@@ -65,33 +66,6 @@ std::vector<std::set<Part>> touching_parts(const TriangleMesh& mesh, std::span<c
     }
   }
   return touching;
-}
-
-// A colour a part, none shared by parts that touch. In the order of Welsh and Powell (Computer Journal 10 (1967)
-// 85-86), many neighbours first; of the free colours the one used least, so that all are seen.
-std::vector<std::size_t> colour_parts(const std::vector<std::set<Part>>& touching) {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<Part> order(touching.size());
-  for (Part p = 0; p < order.size(); ++p) order[p] = p;
-  std::ranges::stable_sort(order, [&](Part p, Part q) { return touching[p].size() > touching[q].size(); });
-  std::vector<std::size_t> colour(touching.size(), none), used(std::min<std::size_t>(8, touching.size()), 0);
-  for (const Part p : order) {
-    std::vector<bool> taken(used.size() + 1, false);
-    for (const Part q : touching[p]) {
-      if (colour[q] != none) taken[colour[q]] = true;
-    }
-    std::size_t best = none;
-    for (std::size_t c = 0; c < used.size(); ++c) {
-      if (!taken[c] && (best == none || used[c] < used[best])) best = c;
-    }
-    if (best == none) {
-      best = used.size();
-      used.push_back(0);
-    }
-    colour[p] = best;
-    ++used[best];
-  }
-  return colour;
 }
 
 Point2 middle(Point2 a, Point2 b) { return a + 0.5 * (b - a); }
