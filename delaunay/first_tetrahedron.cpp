@@ -10,8 +10,11 @@ namespace leonhard::delaunay {
 namespace {
 
 /// Whether p is outside what the points found so far span.
-bool is_independent(std::span<const Point3> points, const FirstTetrahedron& found, const Point3& p) {
-  const auto at = [&](std::size_t i) -> const Point3& { return points[found.points[i]]; };
+///
+/// point  point(i) is the point of index i
+template <class PointOf>
+bool is_independent(const PointOf& point, const FirstTetrahedron& found, const Point3& p) {
+  const auto at = [&](std::size_t i) -> const Point3& { return point(found.points[i]); };
   switch (found.extent) {
     case SpaceExtent::nothing:
       return true;
@@ -27,18 +30,18 @@ bool is_independent(std::span<const Point3> points, const FirstTetrahedron& foun
   return false;
 }
 
-/// index(i)  the index of the i-th of `count` points
-template <class Index>
-FirstTetrahedron find_first(std::span<const Point3> points, std::size_t count, const Index& index) {
+/// index  index(i) is the index of the i-th of `count` points
+template <class PointOf, class Index>
+FirstTetrahedron find_first(const PointOf& point, std::size_t count, const Index& index) {
   FirstTetrahedron found;
   for (std::size_t i = 0; i < count && found.extent != SpaceExtent::space; ++i) {
-    if (!is_independent(points, found, points[index(i)])) continue;
+    if (!is_independent(point, found, point(index(i)))) continue;
     found.points[found.count()] = index(i);
     found.extent = static_cast<SpaceExtent>(found.count() + 1);
   }
   if (found.extent == SpaceExtent::space) {
     auto& [a, b, c, d] = found.points;
-    if (kernel::orient3d(points[a], points[b], points[c], points[d]) == Sign::negative) std::swap(a, b);
+    if (kernel::orient3d(point(a), point(b), point(c), point(d)) == Sign::negative) std::swap(a, b);
   }
   return found;
 }
@@ -52,11 +55,18 @@ bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
 }
 
 FirstTetrahedron first_tetrahedron(std::span<const Point3> points, std::span<const std::uint32_t> order) {
-  return find_first(points, order.size(), [&](std::size_t i) -> std::size_t { return order[i]; });
+  return find_first([&](std::size_t i) -> const Point3& { return points[i]; }, order.size(),
+                    [&](std::size_t i) -> std::size_t { return order[i]; });
 }
 
 FirstTetrahedron first_tetrahedron(std::span<const Point3> points) {
-  return find_first(points, points.size(), [](std::size_t i) { return i; });
+  return find_first([&](std::size_t i) -> const Point3& { return points[i]; }, points.size(),
+                    [](std::size_t i) { return i; });
+}
+
+FirstTetrahedron first_tetrahedron(std::span<const TetNode> nodes) {
+  return find_first([&](std::size_t i) -> const Point3& { return nodes[i].point; }, nodes.size(),
+                    [](std::size_t i) { return i; });
 }
 
 }  // namespace leonhard::delaunay

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "leonhard/delaunay/tet_arena.hpp"
 #include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
@@ -42,5 +43,6 @@ struct FirstTetrahedron {
                                                  std::span<const std::uint32_t> order);
 /// The same in the order of the points themselves.
 [[nodiscard]] FirstTetrahedron first_tetrahedron(std::span<const Point3> points);
+[[nodiscard]] FirstTetrahedron first_tetrahedron(std::span<const TetNode> nodes);
 
 }  // namespace leonhard::delaunay

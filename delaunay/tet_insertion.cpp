@@ -9,12 +9,11 @@
 #include <optional>
 #include <utility>
 
+#include "leonhard/delaunay/first_tetrahedron.hpp"
 #include "leonhard/delaunay/insertion_order.hpp"
 #include "leonhard/delaunay/large_vector.hpp"
 #include "leonhard/delaunay/parallel.hpp"
 #include "leonhard/delaunay/tet_inserter.hpp"
-#include "leonhard/kernel/predicates.hpp"
-#include "leonhard/kernel/predicates3.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 
 namespace leonhard::delaunay {
@@ -28,13 +27,13 @@ class Insertion {
       : arena_(arena), options_(options), threads_(thread_count(options.threads)) {}
 
   /// False: stopped.
-  bool run(std::array<std::uint32_t, 4> first) {
+  bool run(std::array<std::size_t, 4> first) {
     start(first);
     std::ranges::sort(first);
     const Rounds rounds = rounds_of(arena_.nodes.size(), options_.seed);
     for (std::size_t r = 0; r < rounds.count(); ++r) {
       std::vector<std::uint32_t> left(rounds.round(r).begin(), rounds.round(r).end());
-      std::erase_if(left, [&](std::uint32_t v) { return std::ranges::binary_search(first, v); });
+      std::erase_if(left, [&](std::uint32_t v) { return std::ranges::binary_search(first, std::size_t{v}); });
       if (!insert(std::move(left))) return false;
     }
     return true;
@@ -42,7 +41,7 @@ class Insertion {
 
  private:
   /// The first tetrahedron and the four ghosts about it.
-  void start(std::array<std::uint32_t, 4> corners) {
+  void start(const std::array<std::size_t, 4>& corners) {
     const std::size_t expected = 27 * arena_.nodes.size() / 4 + arena_.nodes.size() / 8 + 1024;
     arena_.cells.corners.reserve(expected);
     arena_.cells.neighbours.reserve(expected);
@@ -52,12 +51,13 @@ class Insertion {
     arena_.grow(5);
     auto& cells = arena_.cells;
     const TetId inside{0};
-    for (unsigned i = 0; i < 4; ++i) cells.corners[inside][i] = VertexId{corners[i]};
+    for (unsigned i = 0; i < 4; ++i) cells.corners[inside][i] = VertexId::from(corners[i]);
     for (unsigned i = 0; i < 4; ++i) {
       // A ghost sees the face from the other side.
       const TetId outside{i + 1};
       const auto [a, b, c] = tet_face_corners[i];
-      cells.corners[outside] = {ghost, VertexId{corners[a]}, VertexId{corners[c]}, VertexId{corners[b]}};
+      cells.corners[outside] = {ghost, VertexId::from(corners[a]), VertexId::from(corners[c]),
+                                VertexId::from(corners[b])};
       cells.neighbours[outside] = {inside, TetId{a + 1}, TetId{c + 1}, TetId{b + 1}};
       cells.neighbours[inside][i] = outside;
     }
@@ -185,43 +185,22 @@ class Insertion {
   std::size_t inserted_ = 4;
 };
 
-/// Four points that span space, positive; or the outcome that says why there are none.
-struct FirstTetrahedron {
-  TetrahedralizeOutcome outcome = TetrahedralizeOutcome::done;
-  std::array<std::uint32_t, 4> corners{};
-};
-
-bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
-  using kernel::orient2d;
-  return orient2d({a.x, a.y}, {b.x, b.y}, {c.x, c.y}) == Sign::zero &&
-         orient2d({a.y, a.z}, {b.y, b.z}, {c.y, c.z}) == Sign::zero &&
-         orient2d({a.z, a.x}, {b.z, b.x}, {c.z, c.x}) == Sign::zero;
-}
-
-FirstTetrahedron first_tetrahedron(const std::vector<TetNode>& nodes) {
+TetrahedralizeOutcome outcome_of(const FirstTetrahedron& first, std::size_t points) {
   using Outcome = TetrahedralizeOutcome;
-  const auto n = static_cast<std::uint32_t>(nodes.size());
-  if (n < 4) return {Outcome::too_few_points, {}};
-  std::uint32_t k = 2;
-  while (k < n && are_collinear(nodes[0].point, nodes[1].point, nodes[k].point)) ++k;
-  if (k == n) return {Outcome::all_collinear, {}};
-  for (std::uint32_t l = k + 1; l < n; ++l) {
-    const Sign side = kernel::orient3d(nodes[0].point, nodes[1].point, nodes[k].point, nodes[l].point);
-    if (side == Sign::positive) return {Outcome::done, {0, 1, k, l}};
-    if (side == Sign::negative) return {Outcome::done, {1, 0, k, l}};
-  }
-  // The points before k lie on the line of the first two, so in the plane.
-  return {Outcome::all_coplanar, {}};
+  if (first.extent == SpaceExtent::space) return Outcome::done;
+  if (points < 4) return Outcome::too_few_points;
+  return first.extent == SpaceExtent::plane ? Outcome::all_coplanar : Outcome::all_collinear;
 }
 
 }  // namespace
 
 InsertedNodes insert_nodes(std::vector<TetNode> nodes, const TetAlgorithmOptions& options) {
-  const FirstTetrahedron first = first_tetrahedron(nodes);
-  if (first.outcome != TetrahedralizeOutcome::done) return {first.outcome, {}, {}};
+  const FirstTetrahedron first = first_tetrahedron(std::span<const TetNode>(nodes));
+  const TetrahedralizeOutcome outcome = outcome_of(first, nodes.size());
+  if (outcome != TetrahedralizeOutcome::done) return {outcome, {}, {}};
   TetArena arena;
   arena.nodes = std::move(nodes);
-  if (!Insertion(arena, options).run(first.corners)) return {TetrahedralizeOutcome::stopped, {}, {}};
+  if (!Insertion(arena, options).run(first.points)) return {TetrahedralizeOutcome::stopped, {}, {}};
   return {TetrahedralizeOutcome::done, std::move(arena.cells), std::move(arena.free_numbers)};
 }
 
