@@ -187,6 +187,33 @@ TEST_CASE("batches_in_space_answer_like_the_predicates") {
   check_family_by_family<InspherePerturbed>(point_families3());
 }
 
+TEST_CASE("many_spheres_and_one_point_have_the_signs_of_insphere_where_the_filter_can_tell") {
+  Random random(303);
+  for (const auto& family : point_families3()) {
+    CAPTURE(family.name);
+    for (const std::size_t size : {1, 2, 3, 4, 5, 9, 500}) {
+      const auto batch = batch_of<Insphere>(family, size, random);
+      std::vector<k::detail::PaddedPoint3> points;
+      for (const Point3& p : batch.points) points.push_back({p, {7, 4'000'000'000}});
+      const Point3 last = batch.points.back();
+      std::vector<std::uint32_t> ids;
+      std::vector<Sign> truth;
+      for (const auto& call : batch.calls) {
+        ids.insert(ids.end(), call.begin(), call.begin() + 4);
+        truth.push_back(k::insphere(batch.points[call[0]], batch.points[call[1]], batch.points[call[2]],
+                                    batch.points[call[3]], last));
+      }
+      for (const auto* build : builds()) {
+        CAPTURE(build->name);
+        std::vector<Sign> signs(size, Sign{7});
+        build->spheres(last, points.data(), ids.data(), size, signs.data());
+        const std::size_t open = undecided(signs, truth);
+        if (std::string_view(family.name) == "uniform") CHECK(open < 2 + size / 50);
+      }
+    }
+  }
+}
+
 TEST_CASE("the_filters_of_batches_decide_nearly_all_uniform_points") {
   check_quality<Orient2d>(point_families().front());
   check_quality<Incircle>(point_families().front());
