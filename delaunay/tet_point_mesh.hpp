@@ -10,18 +10,6 @@
 
 namespace leonhard::delaunay {
 
-/// Tetrahedra into an order that depends on nothing but which vertices they join: by their vertices, the least first. The
-/// vertices of each come in rising order but for the last two, which are in the order that makes it positive. Ghosts and
-/// dead tetrahedra are dropped, a neighbour that was a ghost is none.
-///
-/// cells     its vertices are 0 to vertices - 1; dead tetrahedra have the ghost at all corners
-/// threads   0: as many as there are cores; the answer does not depend on it
-/// Cost O(tetrahedra), in place but for 8 bytes a tetrahedron.
-void sort_and_drop_ghosts(GhostTetrahedralization& cells, std::size_t vertices, unsigned threads);
-
-/// The same without sorting: the last tetrahedra take the numbers of those that are dropped.
-void drop_ghosts(GhostTetrahedralization& cells);
-
 /// Where sorted points come from.
 struct SortedOrigin {
   std::vector<std::uint32_t> first_input;   ///< one a sorted point: the first input point there
@@ -36,7 +24,7 @@ struct TetPointMesh {
 /// The tetrahedralisation of a point set as a mesh. Vertices are numbered in the order of the input points that made
 /// them; boundary faces, marker 1, come in the order of their tetrahedra.
 ///
-/// cells   real tetrahedra alone (sort_and_drop_ghosts); its vertices are the sorted points
+/// cells   real tetrahedra alone (tet_sort.hpp); its vertices are the sorted points
 /// input   becomes the mesh's points
 [[nodiscard]] TetPointMesh to_mesh(GhostTetrahedralization cells, SortedOrigin origin, std::vector<Point3> input,
                                    unsigned threads);

@@ -6,6 +6,7 @@
 #include "leonhard/delaunay/large_vector.hpp"
 #include "leonhard/delaunay/tet_insertion.hpp"
 #include "leonhard/delaunay/tet_point_mesh.hpp"
+#include "leonhard/delaunay/tet_sort.hpp"
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
