@@ -144,6 +144,9 @@ void TetInserter::list_faces(std::size_t begin) {
   TetId* asked = asked_.room(room);
   auto* const all_corners = arena_.cells.corners.flat().data();
   const auto* const neighbours = arena_.cells.neighbours.flat().data();
+  for (std::size_t inside = begin; inside < cavity_.size(); ++inside)
+    for (const MaybeId<TetId> behind : neighbours[cavity_[inside].index()])
+      __builtin_prefetch(&all_corners[(*behind).index()], 1);
   for (std::size_t inside = begin; inside < cavity_.size(); ++inside) {
     const std::array<MaybeId<TetId>, 4> around = neighbours[cavity_[inside].index()];
     for (std::uint32_t i = 0; i < 4; ++i) {
