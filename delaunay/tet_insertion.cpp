@@ -48,6 +48,10 @@ class Insertion {
     const std::size_t bytes = expected * sizeof(std::array<VertexId, 4>);
     prefer_large_pages(arena_.cells.corners.flat().data(), bytes);
     prefer_large_pages(arena_.cells.neighbours.flat().data(), bytes);
+    if (threads_ > 1) {
+      touch_pages(arena_.cells.corners.flat().data(), bytes, threads_);
+      touch_pages(arena_.cells.neighbours.flat().data(), bytes, threads_);
+    }
     arena_.grow(5);
     auto& cells = arena_.cells;
     const TetId inside{0};
@@ -66,7 +70,9 @@ class Insertion {
 
   bool insert(std::vector<std::uint32_t> left) {
     constexpr std::size_t worth_threads = 20'000;
-    for (unsigned pass = 0; threads_ > 1 && pass < 3 && left.size() > worth_threads; ++pass) {
+    // What two pieces leave lies at their one seam, which a single piece would take in the second pass.
+    const unsigned passes = threads_ > 2 ? 3 : threads_ - 1;
+    for (unsigned pass = 0; pass < passes && left.size() > worth_threads; ++pass) {
       left = insert_by_threads(left, pass);
       if (options_.progress.stop_requested()) return false;
     }
