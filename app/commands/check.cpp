@@ -6,11 +6,17 @@
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/points/points_dimension.hpp"
 #include "leonhard/app/points/read_any_points.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
+#include "leonhard/app/report/points3_report.hpp"
 #include "leonhard/app/report/points_report.hpp"
+#include "leonhard/app/report/tet_report.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
+#include "leonhard/mesh/io/file_dimension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/points3_file.hpp"
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -51,17 +57,41 @@ ExitCode check_points(const CheckOptions& options) {
   return report["outcome"] == "stopped" ? ExitCode::stopped : ExitCode::done;
 }
 
+ExitCode check_tet_mesh(const CheckOptions& options) {
+  const TetMeshFile file = io::read_tet_mesh(options.file);
+  const Json report = tet_mesh_report(file.mesh);
+  show(options, report, file.warnings, tet_mesh_report_text(report));
+  return is_sound_in_space(report) ? ExitCode::done : ExitCode::goal_not_met;
+}
+
+ExitCode check_points3(const CheckOptions& options) {
+  const StopOnSignal signals;
+  const Points3File file = io::read_points3(options.file);
+  delaunay::TetrahedralizeOptions work;
+  work.seed = options.common.seed;
+  work.threads = static_cast<unsigned>(options.common.threads);
+  work.progress.stop = signals.token();
+  const Json report = points3_report(file.set.points, work);
+  show(options, report, file.warnings, points3_report_text(report));
+  return report["outcome"] == "stopped" ? ExitCode::stopped : ExitCode::done;
+}
+
 ExitCode check(const CheckOptions& options) {
-  return is_points_file(options.file) ? check_points(options) : check_mesh(options);
+  if (is_points_file(options.file)) {
+    return points_dimension(options.file) == 3 ? check_points3(options) : check_points(options);
+  }
+  return io::file_dimension(options.file) == 3 ? check_tet_mesh(options) : check_mesh(options);
 }
 
 }  // namespace
 
 void add_check(CLI::App& program, ExitCode& code) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = program.add_subcommand("check",
-                                             "Euler's account, validity, Delaunay property, quality and "
-                                             "fingerprint of a mesh, or an account of points");
+  CLI::App* command =
+      program.add_subcommand("check",
+                             "Euler's account, validity, Delaunay property, quality and "
+                             "fingerprint of a mesh of the plane or of space, or an account of "
+                             "points");
   command->add_option("file", options->file, "A mesh file, or points")->required();
   add_common_flags(*command, options->common, "Also write the report as JSON to this file");
   command->callback([options, &code] { code = check(*options); });

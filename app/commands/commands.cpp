@@ -20,6 +20,7 @@ void add_commands(CLI::App& program, ExitCode& code) {
   add_solve(program, code);
   add_mesh(program, code);
   add_triangulate(program, code);
+  add_tetrahedralize(program, code);
   add_voronoi(program, code);
   add_check(program, code);
   add_draw(program, code);

@@ -30,6 +30,7 @@ void add_commands(CLI::App& program, ExitCode& code);
 void add_solve(CLI::App& program, ExitCode& code);
 void add_mesh(CLI::App& program, ExitCode& code);
 void add_triangulate(CLI::App& program, ExitCode& code);
+void add_tetrahedralize(CLI::App& program, ExitCode& code);
 void add_voronoi(CLI::App& program, ExitCode& code);
 void add_check(CLI::App& program, ExitCode& code);
 void add_draw(CLI::App& program, ExitCode& code);

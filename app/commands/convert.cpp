@@ -2,14 +2,19 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/report/json.hpp"
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/io/file_dimension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -19,18 +24,58 @@ struct ConvertOptions {
   std::string in, out;
 };
 
-ExitCode convert(const ConvertOptions& options) {
-  const MeshFile file = io::read_mesh(options.in);
+struct Converted {
+  Json counts;
+  std::vector<std::string> warnings;
+};
+
+bool is_one_of(std::string extension, const std::vector<std::string>& known) {
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+/// A format for the other dimension only deserves better words than "unknown".
+void check_output(const ConvertOptions& options, int dimension) {
+  const std::string extension = std::filesystem::path(options.out).extension().string();
+  const auto& own = dimension == 2 ? io::mesh_extensions() : io::tet_mesh_extensions();
+  const auto& other = dimension == 2 ? io::tet_mesh_extensions() : io::mesh_extensions();
+  if (is_one_of(extension, own) || !is_one_of(extension, other)) return;
+  std::string known;
+  for (const std::string& e : own) known += (known.empty() ? "" : " ") + e;
+  throw InputError(options.out,
+                   extension + " is written for meshes of " + (dimension == 2 ? "space" : "the plane") +
+                       " only, and " + options.in + " is one of " + (dimension == 2 ? "the plane" : "space"),
+                   "use one of " + known);
+}
+
+Converted convert_triangles(const ConvertOptions& options) {
+  MeshFile file = io::read_mesh(options.in);
   io::write_mesh(options.out, file.mesh);
+  return {{{"vertices", file.mesh.vertex_count()},
+           {"triangles", file.mesh.triangle_count()},
+           {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
+          std::move(file.warnings)};
+}
+
+Converted convert_tetrahedra(const ConvertOptions& options) {
+  TetMeshFile file = io::read_tet_mesh(options.in);
+  io::write_tet_mesh(options.out, file.mesh);
+  return {{{"vertices", file.mesh.vertex_count()},
+           {"tetrahedra", file.mesh.tet_count()},
+           {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
+          std::move(file.warnings)};
+}
+
+ExitCode convert(const ConvertOptions& options) {
+  const int dimension = io::file_dimension(options.in);
+  check_output(options, dimension);
+  const Converted converted = dimension == 3 ? convert_tetrahedra(options) : convert_triangles(options);
   Console console(options.common.quiet);
-  for (const std::string& warning : file.warnings) console.warning(warning);
+  for (const std::string& warning : converted.warnings) console.warning(warning);
   if (options.common.json) {
-    const Json report = {{"in", options.in},
-                         {"out", options.out},
-                         {"vertices", file.mesh.vertex_count()},
-                         {"triangles", file.mesh.triangle_count()},
-                         {"fingerprint", mesh::fingerprint(file.mesh).hex()},
-                         {"warnings", file.warnings}};
+    Json report = {{"in", options.in}, {"out", options.out}};
+    report.update(converted.counts);
+    report["warnings"] = converted.warnings;
     fmt::print("{}\n", report.dump(2));
   }
   return ExitCode::done;
@@ -40,8 +85,9 @@ ExitCode convert(const ConvertOptions& options) {
 
 void add_convert(CLI::App& program, ExitCode& code) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command =
-      program.add_subcommand("convert", "Read a mesh in one format, write it in another; both by extension");
+  CLI::App* command = program.add_subcommand(
+      "convert",
+      "Read a mesh of the plane or of space in one format, write it in another; both by extension");
   command->add_option("in", options->in, "Mesh to read")->required();
   command->add_option("out", options->out, "Mesh to write")->required();
   command->add_flag("--quiet", options->common.quiet, "No warnings about the file's oddities");

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/commands/tet_drawing.hpp"
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
@@ -16,7 +17,9 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/draw/draw.hpp"
 #include "leonhard/mesh/edges.hpp"
+#include "leonhard/mesh/io/file_dimension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::app {
@@ -28,6 +31,9 @@ struct DrawCommand {
   std::string what = "mesh";
   std::string field;
   std::vector<double> view;
+  std::string cut;
+  bool section = false;
+  double perspective_deg = 0;
   std::array<int, 2> size{1600, 1000};
   std::uint32_t parts = 8;
   std::string title;
@@ -35,6 +41,10 @@ struct DrawCommand {
 
 draw::View view_of(const DrawCommand& command) {
   if (command.view.empty()) return {};
+  if (command.view.size() != 4) {
+    throw InputError("--view", fmt::format("{} numbers for a mesh of the plane", command.view.size()),
+                     "give xmin,ymin,xmax,ymax");
+  }
   const auto& v = command.view;
   if (!(v[0] < v[2] && v[1] < v[3])) {
     throw InputError("--view", fmt::format("{:g},{:g},{:g},{:g} is no rectangle", v[0], v[1], v[2], v[3]),
@@ -63,7 +73,19 @@ void draw_named_field(const DrawCommand& command, const TriangleMesh& mesh, cons
       {.size = size, .view = view_of(command), .title = command.title, .value_label = command.field});
 }
 
-ExitCode draw_file(const DrawCommand& command) {
+/// Options that need a third dimension are not left unused.
+void check_plane(const DrawCommand& command) {
+  const auto refuse = [&](const char* option) {
+    throw InputError(option, command.mesh + " is a mesh of the plane", "leave the option out");
+  };
+  if (!command.cut.empty()) refuse("--cut");
+  if (command.section) refuse("--section");
+  if (command.perspective_deg != 0) refuse("--perspective");
+  if (command.what == "markers") refuse("--what markers");
+}
+
+std::vector<std::string> draw_triangles(const DrawCommand& command) {
+  check_plane(command);
   const MeshFile file = io::read_mesh(command.mesh);
   const TriangleMesh& mesh = file.mesh;
   const draw::PictureSize size{command.size[0], command.size[1]};
@@ -84,10 +106,35 @@ ExitCode draw_file(const DrawCommand& command) {
     draw::draw_mesh(command.common.output, mesh,
                     {.size = size, .view = view_of(command), .title = command.title, .fill = fill});
   }
+  return file.warnings;
+}
+
+std::vector<std::string> draw_tetrahedra(const DrawCommand& command) {
+  TetDrawing drawing;
+  drawing.mesh_file = command.mesh;
+  drawing.picture = command.common.output;
+  drawing.what = command.what;
+  drawing.field = command.field;
+  drawing.cut = command.cut;
+  drawing.section = command.section;
+  drawing.view = command.view;
+  drawing.perspective_deg = command.perspective_deg;
+  drawing.size = command.size;
+  drawing.title = command.title;
+  drawing.parts = command.parts;
+  drawing.seed = command.common.seed;
+  TetMeshFile file = io::read_tet_mesh(command.mesh);
+  draw_tets(drawing, file.mesh);
+  return std::move(file.warnings);
+}
+
+ExitCode draw_file(const DrawCommand& command) {
+  const auto warnings =
+      io::file_dimension(command.mesh) == 3 ? draw_tetrahedra(command) : draw_triangles(command);
   Console console(command.common.quiet);
-  for (const std::string& warning : file.warnings) console.warning(warning);
+  for (const std::string& warning : warnings) console.warning(warning);
   if (command.common.json)
-    fmt::print("{}\n", Json{{"picture", command.common.output}, {"warnings", file.warnings}}.dump(2));
+    fmt::print("{}\n", Json{{"picture", command.common.output}, {"warnings", warnings}}.dump(2));
   return ExitCode::done;
 }
 
@@ -98,16 +145,33 @@ void add_draw(CLI::App& program, ExitCode& code) {
   CLI::App* command =
       program.add_subcommand("draw", "A picture of a mesh, its quality, a field, a partition or its matrix");
   command->add_option("mesh", options->mesh, "A mesh file")->required();
-  command->add_option("--what", options->what, "What to draw")
-      ->check(CLI::IsMember({"mesh", "quality", "regions", "partition", "matrix"}))
+  command
+      ->add_option("--what", options->what,
+                   "What to draw; markers of meshes of space, matrix of those of the plane")
+      ->check(CLI::IsMember({"mesh", "quality", "regions", "markers", "partition", "matrix"}))
       ->capture_default_str();
   command->add_option("--field", options->field, "A point field of a .vtu file, e.g. mach");
   command->add_option("--parts", options->parts, "Parts of the partition")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  command->add_option("--view", options->view, "xmin,ymin,xmax,ymax; the whole mesh otherwise")
+  command
+      ->add_option(
+          "--view", options->view,
+          "Plane: xmin,ymin,xmax,ymax, the whole mesh otherwise. Space: azimuth,elevation of the viewer in "
+          "degrees, otherwise -60,25")
       ->delimiter(',')
-      ->expected(4);
+      ->expected(2, 4);
+  command->add_option(
+      "--cut", options->cut,
+      "Space: what is cut away: none; x, y or z, through the middle; x=0.5, the side to the viewer; x<0.5; "
+      "or nx,ny,nz,d, where nx x + ny y + nz z > d. Otherwise the half towards the viewer");
+  command->add_flag("--section", options->section,
+                    "Space: cut along the plane, through tetrahedra, in place of leaving them whole");
+  command
+      ->add_option("--perspective", options->perspective_deg,
+                   "Space: field of view in degrees, 20 being mild; 0: parallel lines stay parallel")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
   command->add_option("--size", options->size, "Width,height in pixels")
       ->delimiter(',')
       ->capture_default_str();

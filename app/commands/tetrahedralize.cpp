@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/delaunay/tetrahedralize.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/console.hpp"
+#include "leonhard/app/report/lap_timer.hpp"
+#include "leonhard/app/report/points3_report.hpp"
+#include "leonhard/app/report/tet_report.hpp"
+#include "leonhard/mesh/draw/tet_picture.hpp"
+#include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/points3_file.hpp"
+#include "leonhard/mesh/io/surface_file.hpp"
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
+
+namespace leonhard::app {
+namespace {
+
+struct TetrahedralizeCommand {
+  CommonOptions common;
+  std::string input, algorithm = "insertion";
+  std::uint64_t memory_limit = 0;
+  bool no_check = false;
+};
+
+const std::vector<std::string>& picture_extensions() {
+  static const std::vector<std::string> known{".png", ".svg", ".pdf"};
+  return known;
+}
+
+bool is_one_of(const std::string& extension, const std::vector<std::string>& known) {
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+std::string output_extension(const TetrahedralizeCommand& command) {
+  std::vector<std::string> known = io::tet_mesh_extensions();
+  known.insert(known.end(), picture_extensions().begin(), picture_extensions().end());
+  return io::known_extension(command.common.output, known, "tetrahedral mesh or picture");
+}
+
+// The one place that will know facets when surfaces are meshed: until then a surface is its vertices.
+Points3File read_input(const std::filesystem::path& path) {
+  const std::string extension = io::known_extension(path, io::point3_extensions(), "points or surface");
+  Points3File file = io::read_points3(path);
+  if (is_one_of(extension, io::surface_extensions())) {
+    file.warnings.push_back(
+        path.string() +
+        ": only the vertices of the surface are used; its facets are not yet constraints, so the "
+        "mesh fills their convex hull and need not have these facets");
+  }
+  if (file.set.attributes_each > 0)
+    file.warnings.push_back(path.string() + ": the attributes of its points are not carried to the mesh");
+  return file;
+}
+
+delaunay::TetrahedralizeOptions options_of(const TetrahedralizeCommand& command, Console& console,
+                                           const StopOnSignal& signals) {
+  delaunay::TetrahedralizeOptions options;
+  options.algorithm =
+      delaunay::tet_algorithm_named(command.algorithm).value_or(delaunay::TetAlgorithm::insertion);
+  options.threads = static_cast<unsigned>(command.common.threads);
+  options.seed = command.common.seed;
+  options.memory_limit_bytes = command.memory_limit;
+  options.progress.stop = signals.token();
+  options.progress.report = [&console](std::string_view stage, double fraction) {
+    console.transient(fmt::format("{:<11}{:3.0f} %", stage, 100 * fraction));
+  };
+  return options;
+}
+
+std::string bytes_in_words(std::size_t bytes) {
+  return bytes < 1'000'000'000 ? fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6)
+                               : fmt::format("{:.2f} GB", static_cast<double>(bytes) / 1e9);
+}
+
+// Of duplicates the first marker that is not 0 stays.
+void carry_markers(const PointSet3& set, delaunay::Tetrahedralization& result) {
+  for (std::size_t i = 0; i < set.markers.size(); ++i) {
+    if (!result.vertex_of_input[i]) continue;
+    Marker& marker = result.mesh.vertex_markers[*result.vertex_of_input[i]];
+    if (marker == 0) marker = set.markers[i];
+  }
+}
+
+void write(const TetrahedralizeCommand& command, const std::string& extension, const TetMesh& mesh) {
+  if (is_one_of(extension, picture_extensions())) {
+    draw::draw_tet_mesh(command.common.output, mesh);
+  } else {
+    io::write_tet_mesh(command.common.output, mesh);
+  }
+}
+
+std::string text_of(const Json& r) {
+  std::string text;
+  const auto line = [&text](std::string_view name, const std::string& value) {
+    fmt::format_to(std::back_inserter(text), "{:<14}{}\n", name, value);
+  };
+  const auto count = [&r](const char* key) { return grouped(r[key].get<std::uint64_t>()); };
+  line("points", count("points") + ", " + count("duplicates") + " duplicates merged");
+  line("outcome", r["outcome"].get<std::string>());
+  if (!r.contains("tetrahedra")) return text;
+  line("hull faces", count("hull_faces"));
+  if (r.contains("euler")) return text + tet_mesh_report_text(r);
+  line("vertices", count("vertices"));
+  line("tetrahedra", count("tetrahedra"));
+  line("fingerprint", r["fingerprint"].get<std::string>());
+  return text;
+}
+
+Json mesh_json(const TetrahedralizeCommand& command, const TetMesh& mesh) {
+  if (!command.no_check) return tet_mesh_report(mesh);
+  return {{"vertices", mesh.vertex_count()},
+          {"tetrahedra", mesh.tet_count()},
+          {"fingerprint", mesh::fingerprint(mesh).hex()}};
+}
+
+ExitCode exit_code_of(delaunay::TetrahedralizeOutcome outcome) {
+  switch (outcome) {
+    case delaunay::TetrahedralizeOutcome::done:
+      return ExitCode::done;
+    case delaunay::TetrahedralizeOutcome::stopped:
+      return ExitCode::stopped;
+    default:
+      return ExitCode::goal_not_met;
+  }
+}
+
+ExitCode tetrahedralize(const TetrahedralizeCommand& command) {
+  LapTimer timer;
+  Console console(command.common.quiet);
+  const StopOnSignal signals;
+  const std::string extension = output_extension(command);  // before any work
+  Points3File input = read_input(command.input);
+  timer.lap("read");
+
+  const std::vector<Point3>& points = input.set.points;
+  const std::size_t expected = delaunay::expected_bytes(points.size());
+  if (!command.common.quiet) {
+    fmt::print(stderr, "leonhard: {} points, about {} of memory expected\n", grouped(points.size()),
+               bytes_in_words(expected));
+  }
+  auto result = delaunay::tetrahedralize(points, options_of(command, console, signals));
+  timer.lap("tetrahedralize");
+  if (signals.token().stop_requested()) result.outcome = delaunay::TetrahedralizeOutcome::stopped;
+  input.warnings.insert(input.warnings.end(), result.repairs.begin(), result.repairs.end());
+  for (const std::string& warning : input.warnings) console.warning(warning);
+
+  const bool done = result.outcome == delaunay::TetrahedralizeOutcome::done;
+  const std::size_t distinct = done ? result.mesh.vertex_count() : count_distinct(points);
+  Json report = {
+      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
+  report.update(points3_account(points, distinct));
+  report["expected_memory_bytes"] = expected;
+  std::string words = why_no_tetrahedra(result.outcome, distinct);
+  if (!words.empty()) words = command.input + ": " + words;
+  report["words"] = words.empty() ? Json(nullptr) : Json(words);
+  if (done) {
+    carry_markers(input.set, result);
+    report["hull_faces"] = result.mesh.boundary.size();
+    report.update(mesh_json(command, result.mesh));
+    timer.lap("check");
+    write(command, extension, result.mesh);
+    timer.lap("write");
+    report["output"] = command.common.output;
+  }
+  report["warnings"] = input.warnings;
+  report["seconds"] = timer.seconds();
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  fmt::print("{}", command.common.json ? report.dump(2) + "\n" : text_of(report));
+  if (!words.empty()) fmt::print(stderr, "leonhard: {}\n", words);
+  return exit_code_of(result.outcome);
+}
+
+std::vector<std::string> algorithm_names() {
+  std::vector<std::string> names;
+  for (const delaunay::NamedTetAlgorithm& known : delaunay::named_tet_algorithms)
+    names.emplace_back(known.name);
+  return names;
+}
+
+}  // namespace
+
+void add_tetrahedralize(CLI::App& program, ExitCode& code) {
+  auto options = std::make_shared<TetrahedralizeCommand>();
+  options->common.output = "mesh.vtu";
+  CLI::App* command = program.add_subcommand(
+      "tetrahedralize", "The Delaunay tetrahedralisation of points of space, filling their convex hull");
+  command
+      ->add_option("points", options->input,
+                   "Points (.node .xyz .csv .txt), or a surface (.off .obj .stl .ply .mesh .msh .poly "
+                   ".smesh), of which "
+                   "the vertices are taken")
+      ->required();
+  command
+      ->add_option("--algorithm", options->algorithm,
+                   "The way to the tetrahedralisation, which is the same for all")
+      ->check(CLI::IsMember(algorithm_names()))
+      ->capture_default_str();
+  command
+      ->add_option("--memory-limit", options->memory_limit,
+                   "Refuse, before any work, points that need more; bytes, or as 4GB; 0: no limit")
+      ->transform(CLI::AsSizeValue(false))
+      ->capture_default_str();
+  command->add_flag("--no-check", options->no_check,
+                    "Leave out Euler's account, validity and quality, which take about as long as the mesh");
+  add_common_flags(
+      *command, options->common,
+      "The mesh (.vtu .su2 .msh .mesh .node .ele) or a picture of it, cut open (.png .svg .pdf); default "
+      "mesh.vtu");
+  command->callback([options, &code] { code = tetrahedralize(*options); });
+}
+
+}  // namespace leonhard::app
