@@ -16,7 +16,7 @@ namespace leonhard::delaunay {
 /// part in all of these. Points in degenerate position are not moved: only the lifting is perturbed
 /// (kernel::insphere_perturbed), no tetrahedron is ever flat.
 ///
-/// Cost expected O(n log n) for points that fill space, some 20 microseconds a point: the second opinion that the fast
+/// Cost expected O(n log n) for points that fill space, some 20 to 30 microseconds a point: the second opinion that the fast
 /// algorithm is tested against, not its rival.
 /// Method: B. Joe, "Construction of three-dimensional Delaunay triangulations using local transformations", CAGD 8
 /// (1991); H. Edelsbrunner and N. R. Shah, "Incremental topological flipping works for regular triangulations",
