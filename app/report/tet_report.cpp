@@ -132,7 +132,7 @@ std::string tet_mesh_report_text(const Json& r) {
   const Json& euler = r["euler"];
   line("Euler", euler["balances"].get<bool>() ? "balances" : "DOES NOT BALANCE");
   for (const auto& f : euler["formulas"]) {
-    line("", fmt::format("{:<76} {:>10} {} {}", f["words"].get<std::string>(), f["left"].get<std::int64_t>(),
+    line("", fmt::format("{:<86} {:>10} {} {}", f["words"].get<std::string>(), f["left"].get<std::int64_t>(),
                          f["left"] == f["right"] ? "=" : "≠", f["right"].get<std::int64_t>()));
   }
   line("topology",

@@ -40,7 +40,7 @@ Lines lines_of(const Facet& facet, const FacetSamples& samples, const FacetPaint
   Lines result;
   if (!paint.show_lines) return result;
   for (std::size_t i = 0; i < facet.count; ++i) {
-    const double sides = facet.lines[i] == FacetLine::outline ? 1 : 2;  // facets that share its width
+    const double sides = facet.lines[i] == FacetLine::outline ? 1.4 : 2;  // an outline has no other side
     const double width = line_width(facet, i, paint.thin) * paint.thin * per_page / sides;
     if (width > 0.01) result.lines[result.count++] = {samples.distance_from(i), static_cast<float>(width)};
   }

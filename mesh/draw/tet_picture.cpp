@@ -35,6 +35,7 @@ Colour neutral_inside_colour() { return to_srgb({.lightness = 93, .a = 0, .b = 4
 struct TetScene {
   const TetMesh& mesh;
   TetPictureOptions options;
+  Box3 box;
   CutPlane plane;
   Camera camera;
   std::vector<Facet> facets;
@@ -67,6 +68,7 @@ TetScene make_scene(const TetMesh& mesh, const TetPictureOptions& options, std::
   const Box3 box = box_of(mesh);
   TetScene scene{.mesh = mesh,
                  .options = options,
+                 .box = box,
                  .plane = options.cut_plane.value_or(cut_through_middle(box, options.view)),
                  .camera = Camera(box, options.view),
                  .facets = {},
@@ -279,41 +281,43 @@ std::string grouped(std::size_t count) {
   return digits;
 }
 
-// Four digits.
-std::string short_words(double value) {
+// Four digits; 0 for what is rounding noise in a mesh of this size.
+std::string short_words(double value, double size) {
+  if (std::abs(value) < 1e-12 * size) value = 0;
   std::array<char, 32> text{};
   const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, 4).ptr;
-  return {text.data(), end};
+      std::to_chars(text.data(), text.data() + text.size(), std::abs(value), std::chars_format::general, 4);
+  return (value < 0 ? "−" : "") + std::string(text.data(), end.ptr);
 }
 
 // "y < 0.5", or "x − 0.5 z > 1": the side that is removed.
-std::string removed_side(const CutPlane& plane) {
+std::string removed_side(const CutPlane& plane, const Box3& box) {
   const std::array<double, 3> normal{plane.normal.x, plane.normal.y, plane.normal.z};
   const std::array<double, 3> point{plane.point.x, plane.point.y, plane.point.z};
   constexpr std::array<const char*, 3> names{"x", "y", "z"};
+  const double size = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
   const double largest = std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
   std::string sum;
   double offset = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (normal[i] == 0) continue;
     if (std::abs(normal[i]) == norm(plane.normal)) {
-      return names[i] + std::string(normal[i] > 0 ? " > " : " < ") + short_words(point[i]);
+      return names[i] + std::string(normal[i] > 0 ? " > " : " < ") + short_words(point[i], size);
     }
     const double share = normal[i] / largest;
     sum += sum.empty() ? (share < 0 ? "−" : "") : (share < 0 ? " − " : " + ");
-    if (std::abs(share) != 1) sum += short_words(std::abs(share)) + " ";
+    if (std::abs(share) != 1) sum += short_words(std::abs(share), 1) + " ";
     sum += names[i];
     offset += share * point[i];
   }
-  return sum + " > " + short_words(offset);
+  return sum + " > " + short_words(offset, size);
 }
 
 std::string caption_of(const TetScene& scene) {
   const std::size_t count = scene.mesh.tet_count();
   std::string words = grouped(count) + (count == 1 ? " tetrahedron" : " tetrahedra");
   if (scene.options.cut == CutStyle::none) return words;
-  const std::string side = removed_side(scene.plane);
+  const std::string side = removed_side(scene.plane, scene.box);
   return words + (scene.options.cut == CutStyle::crinkled ? "; those with centre at " + side + " are removed"
                                                           : "; what lies at " + side + " is removed");
 }

@@ -214,6 +214,12 @@ TEST_CASE("draw_shows_meshes_of_space_by_every_colour_cut_and_view") {
     CHECK(ran.exit_code == 0);
     CHECK(std::filesystem::remove(scratch.path() / "x.png"));
   }
+  CHECK(run("convert cube.su2 cube.vtu", scratch.path()).exit_code == 0);
+  CHECK(run("draw cube.vtu -o x.png --field marker --cut none", scratch.path()).exit_code == 0);
+  CHECK(std::filesystem::exists(scratch.path() / "x.png"));
+  const Ran missing = run("draw cube.vtu -o y.png --field mach", scratch.path());
+  CHECK(missing.exit_code == 2);
+  CHECK(holds(missing.err, "it has marker"));
 }
 
 TEST_CASE("convert_carries_tetrahedra_markers_and_names_between_formats") {
