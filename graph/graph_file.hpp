@@ -87,7 +87,7 @@ struct VertexCoordinates {
                                                   std::size_t vertices);
 
 /// The coordinates in the file of the graph's name with extension .xyz; none if there is no such file.
-[[nodiscard]] std::optional<VertexCoordinates> read_coordinates_beside(const std::filesystem::path& graph_file,
-                                                                       std::size_t vertices);
+[[nodiscard]] std::optional<VertexCoordinates> read_coordinates_beside(
+    const std::filesystem::path& graph_file, std::size_t vertices);
 
 }  // namespace leonhard::graph

@@ -18,8 +18,8 @@ struct Banner {
 
 std::string lower_case(std::string_view word) {
   std::string lower(word);
-  std::ranges::transform(
-      lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return lower;
 }
 
@@ -82,8 +82,8 @@ GraphFile parse_matrix_market(std::string_view text, const std::string& source) 
   const std::size_t entries = scan.count("the number of entries", 4 + 2 * banner.values_each);
   scan.expect_line_end("the number of entries");
   GraphFile file;
-  detail::ListedGraph listed{
-      source, size, {}, {}, banner.general, "give the pattern of A + A^T, or say symmetric"};
+  detail::ListedGraph listed{source, size,           {},
+                             {},     banner.general, "give the pattern of A + A^T, or say symmetric"};
   listed.entries.reserve(entries);
   for (std::size_t i = 0; i < entries; ++i) {
     scan.need_line("an entry");

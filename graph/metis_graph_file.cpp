@@ -77,8 +77,8 @@ void read_vertex(io::TextScanner& scan, std::uint32_t v, const Header& header, G
 
 /// Self-loops stand in one list; writers count them as edges or not.
 void check_edge_count(const io::TextScanner& scan, const Header& header, const detail::ListedGraph& listed) {
-  const auto loops = static_cast<std::size_t>(std::ranges::count_if(
-      listed.entries, [](const detail::ListedEdge& e) { return e.from == e.to; }));
+  const auto loops = static_cast<std::size_t>(
+      std::ranges::count_if(listed.entries, [](const detail::ListedEdge& e) { return e.from == e.to; }));
   const std::size_t proper = listed.entries.size() - loops;
   if (2 * header.edges >= proper && 2 * header.edges <= proper + 2 * loops) return;
   throw InputError(scan.source(),
