@@ -53,11 +53,21 @@ class DegreeLists {
 class QuotientGraph {
  public:
   QuotientGraph(const CsrGraph& graph, std::span<const std::uint32_t> set_of)
-      : set_of_(set_of), start_(vertex_count(graph)), elements_(vertex_count(graph), 0),
-        length_(vertex_count(graph)), weight_(vertex_count(graph), 1), degree_(vertex_count(graph)),
-        clique_(vertex_count(graph)), clique_weight_(vertex_count(graph), 0), outside_(vertex_count(graph), 0),
-        stamp_(vertex_count(graph), 0), mark_(vertex_count(graph), 0), followers_(vertex_count(graph)),
-        lists_(vertex_count(graph)), left_(vertex_count(graph)), row_mark_(vertex_count(graph), 0) {
+      : set_of_(set_of),
+        start_(vertex_count(graph)),
+        elements_(vertex_count(graph), 0),
+        length_(vertex_count(graph)),
+        weight_(vertex_count(graph), 1),
+        degree_(vertex_count(graph)),
+        clique_(vertex_count(graph)),
+        clique_weight_(vertex_count(graph), 0),
+        outside_(vertex_count(graph), 0),
+        stamp_(vertex_count(graph), 0),
+        mark_(vertex_count(graph), 0),
+        followers_(vertex_count(graph)),
+        lists_(vertex_count(graph)),
+        left_(vertex_count(graph)),
+        row_mark_(vertex_count(graph), 0) {
     row_.reserve(2 * edge_count(graph));
     for (Vertex v = 0; v < vertex_count(graph); ++v) {
       start_[v] = row_.size();

@@ -57,10 +57,10 @@ class Dissection {
   }
 
   std::array<Vertices, 3> separated(const CsrGraph& piece, const Vertices& vertices) {
-    SeparatorOptions options;
-    options.seed = options_.seed + set_count_;
-    options.stop = options_.progress.stop;
-    const VertexSeparator found = vertex_separator(piece, options);
+    const VertexSeparator found = vertex_separator(piece, {.largest_side = options_.largest_side,
+                                                           .tries = options_.tries,
+                                                           .seed = options_.seed + set_count_,
+                                                           .stop = options_.progress.stop});
     std::array<Vertices, 3> sides;
     for (std::size_t i = 0; i < vertices.size(); ++i) sides[found.side_of[i]].push_back(vertices[i]);
     return sides;
@@ -71,7 +71,8 @@ class Dissection {
     for (const std::uint32_t v : vertices) set_of_[v] = set_count_;
     ++set_count_;
     closed_ += vertices.size();
-    options_.progress("nested dissection", static_cast<double>(closed_) / static_cast<double>(set_of_.size()));
+    options_.progress("nested dissection",
+                      static_cast<double>(closed_) / static_cast<double>(set_of_.size()));
   }
 
   SubgraphExtractor extract_;

@@ -8,7 +8,9 @@
 namespace leonhard::graph {
 
 struct NestedDissectionOptions {
-  std::uint32_t leaf = 64;  ///< pieces of no more vertices are not divided
+  std::uint32_t leaf = 100;    ///< pieces of no more vertices are not divided
+  double largest_side = 0.67;  ///< of a piece's vertices
+  std::uint32_t tries = 8;     ///< separators of each piece, of which the smallest is taken
   std::uint64_t seed = 1;
   Progress progress;  ///< stage "nested dissection"
 };

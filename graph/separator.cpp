@@ -32,7 +32,10 @@ struct Quality {
 class SeparatorRefiner {
  public:
   SeparatorRefiner(const SeparatorGraph& graph, std::uint32_t limit)
-      : graph_(graph), limit_(limit), gain_{Gains(graph.size()), Gains(graph.size())}, moved_in_(graph.size(), 0) {}
+      : graph_(graph),
+        limit_(limit),
+        gain_{Gains(graph.size()), Gains(graph.size())},
+        moved_in_(graph.size(), 0) {}
 
   Quality refine(Sides& side) {
     side_ = &side;
@@ -99,8 +102,8 @@ class SeparatorRefiner {
   [[nodiscard]] int next_side() {
     std::array<bool, 2> possible{};
     for (const std::uint8_t to : {std::uint8_t{0}, std::uint8_t{1}})
-      possible[to] = has_candidate(to) &&
-                     (weight_[to] + graph_.weight[queue_[to].top().vertex] <= limit_ || weight_[to] < weight_[1 - to]);
+      possible[to] = has_candidate(to) && (weight_[to] + graph_.weight[queue_[to].top().vertex] <= limit_ ||
+                                           weight_[to] < weight_[1 - to]);
     if (!possible[0] || !possible[1]) return possible[0] ? 0 : possible[1] ? 1 : -1;
     const std::int64_t first = queue_[0].top().gain, second = queue_[1].top().gain;
     if (first != second) return first > second ? 0 : 1;
@@ -187,47 +190,75 @@ Sides grow(const SeparatorGraph& graph, std::uint32_t root) {
   return side;
 }
 
-Sides best_grown(const SeparatorGraph& graph, std::uint32_t limit, std::mt19937_64& random) {
+struct Found {
+  Sides side;
+  Quality quality{};
+};
+
+Found best_grown(const SeparatorGraph& graph, std::uint32_t limit, std::mt19937_64& random) {
   SeparatorRefiner refiner(graph, limit);
-  Sides best;
-  Quality best_quality{};
+  Found best;
   constexpr int tries = 8;
   for (int k = 0; k < tries; ++k) {
     Sides side = grow(graph, static_cast<std::uint32_t>(random() % graph.size()));
     const Quality quality = refiner.refine(side);
-    if (!best.empty() && !(quality < best_quality)) continue;
-    best = std::move(side);
-    best_quality = quality;
+    if (k == 0 || quality < best.quality) best = {std::move(side), quality};
   }
   return best;
 }
 
-struct Found {
-  Sides side;
-  Quality quality;
+/// A graph coarsened step by step to about a given size, and separators carried back.
+class Hierarchy {
+ public:
+  Hierarchy(const SeparatorGraph& finest, std::uint32_t size, std::mt19937_64& random) : finest_(finest) {
+    const std::uint32_t largest = std::max(1U, finest.total / 30);
+    while (coarsest().size() > size) {
+      detail::Coarsening next = detail::coarsen(coarsest(), largest, random);
+      if (next.graph.size() * 20ULL > coarsest().size() * 19ULL) break;  // hubs: it shrinks no longer
+      levels_.push_back(std::move(next));
+    }
+  }
+  [[nodiscard]] const SeparatorGraph& coarsest() const {
+    return levels_.empty() ? finest_ : levels_.back().graph;
+  }
+
+  /// The separator of the coarsest graph, refined on every finer one.
+  void carry_back(Found& found, std::uint32_t limit) const {
+    for (std::size_t depth = levels_.size(); depth-- > 0;) {
+      const SeparatorGraph& graph = depth == 0 ? finest_ : levels_[depth - 1].graph;
+      Sides finer(graph.size());
+      for (std::uint32_t v = 0; v < finer.size(); ++v) finer[v] = found.side[levels_[depth].coarse_of[v]];
+      found.side = std::move(finer);
+      found.quality = SeparatorRefiner(graph, limit).refine(found.side);
+    }
+  }
+
+ private:
+  const SeparatorGraph& finest_;
+  std::deque<detail::Coarsening> levels_;
 };
 
-Found multilevel_separator(const SeparatorGraph& finest, std::uint32_t limit, std::mt19937_64& random) {
-  constexpr std::uint32_t coarsest_size = 100;
-  std::deque<detail::Coarsening> levels;
-  const auto level = [&](std::size_t depth) -> const SeparatorGraph& {
-    return depth == 0 ? finest : levels[depth - 1].graph;
-  };
-  const std::uint32_t largest = std::max(1U, finest.total / 30);
-  while (level(levels.size()).size() > coarsest_size) {
-    detail::Coarsening next = detail::coarsen(level(levels.size()), largest, random);
-    if (next.graph.size() * 20ULL > level(levels.size()).size() * 19ULL) break;  // hubs: it shrinks no longer
-    levels.push_back(std::move(next));
-  }
-  Found found{best_grown(level(levels.size()), limit, random), {}};
-  for (std::size_t depth = levels.size(); depth-- > 0;) {
-    Sides finer(level(depth).size());
-    for (std::uint32_t v = 0; v < finer.size(); ++v) finer[v] = found.side[levels[depth].coarse_of[v]];
-    found.side = std::move(finer);
-    found.quality = SeparatorRefiner(level(depth), limit).refine(found.side);
-  }
-  if (levels.empty()) found.quality = SeparatorRefiner(finest, limit).refine(found.side);
+Found multilevel_separator(const SeparatorGraph& graph, std::uint32_t limit, std::mt19937_64& random) {
+  constexpr std::uint32_t size = 40;
+  const Hierarchy levels(graph, size, random);
+  Found found = best_grown(levels.coarsest(), limit, random);
+  levels.carry_back(found, limit);
   return found;
+}
+
+/// Large graphs are coarsened once, to a size at which several tries cost little.
+Found best_separator(const SeparatorGraph& graph, std::uint32_t limit, const SeparatorOptions& options) {
+  constexpr std::uint32_t size = 3000;
+  std::mt19937_64 random(options.seed);
+  const Hierarchy trunk(graph, size, random);
+  Found best;
+  for (std::uint32_t k = 0; k < options.tries; ++k) {
+    if (k > 0 && options.stop.stop_requested()) break;
+    Found found = multilevel_separator(trunk.coarsest(), limit, random);
+    if (k == 0 || found.quality < best.quality) best = std::move(found);
+  }
+  trunk.carry_back(best, limit);
+  return best;
 }
 
 }  // namespace
@@ -242,13 +273,7 @@ VertexSeparator vertex_separator(const CsrGraph& graph, const SeparatorOptions& 
   if (vertex_count(graph) == 0) return result;
   const SeparatorGraph finest = detail::separator_graph(graph);
   const auto limit = static_cast<std::uint32_t>(options.largest_side * finest.total);
-  std::mt19937_64 random(options.seed);
-  Found best;
-  for (std::uint32_t k = 0; k < options.tries; ++k) {
-    if (k > 0 && options.stop.stop_requested()) break;
-    Found found = multilevel_separator(finest, std::max(1U, limit), random);
-    if (k == 0 || found.quality < best.quality) best = std::move(found);
-  }
+  Found best = best_separator(finest, std::max(1U, limit), options);
   result.side_of = std::move(best.side);
   result.size = best.quality.weight;
   return result;

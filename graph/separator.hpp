@@ -17,8 +17,8 @@ struct VertexSeparator {
 };
 
 struct SeparatorOptions {
-  double largest_side = 0.6;  ///< of the vertices, above 1/2; missed only where no separator keeps it
-  std::uint32_t tries = 2;    ///< the smallest separator of so many independent ones is kept
+  double largest_side = 0.67;  ///< of the vertices, above 1/2; missed only where no separator keeps it
+  std::uint32_t tries = 8;     ///< the smallest separator of so many independent ones is kept
   std::uint64_t seed = 1;
   std::stop_token stop;  ///< when it is requested the best separator so far is returned
 };
