@@ -46,7 +46,7 @@ struct [[nodiscard]] EdgeColouring : Colouring {
 };
 
 struct EdgeColouringOptions {
-  std::uint32_t rounds = 20;  ///< attempts at Delta colours before one more is taken
+  std::uint32_t rounds = 5;  ///< attempts at Delta colours before one more is taken
   std::uint64_t seed = 1;
   std::stop_token stop;  ///< when it is requested no further attempts are made
 };

@@ -195,16 +195,18 @@ class DeltaAttempt {
   DeltaAttempt(const CsrGraph& graph, Colour colours, std::uint64_t seed)
       : colouring_(graph, colours), random_(seed) {}
 
-  /// Whether all edges could be coloured within so many steps.
-  bool run(std::size_t steps) {
+  /// Whether all edges could be coloured with so many others in the way.
+  bool run(std::size_t patience) {
     for (Edge e = 0; e < colouring_.edge_count(); ++e) todo_.push_back(e);
     for (std::size_t i = todo_.size(); i > 1; --i) std::swap(todo_[i - 1], todo_[random_() % i]);
-    for (std::size_t step = 0; step < steps && !todo_.empty(); ++step) {
+    for (std::size_t failures = 0; !todo_.empty();) {
       const Edge e = todo_.back();
       todo_.pop_back();
-      if (!colour(e)) make_way(e);
+      if (colour(e)) continue;
+      if (++failures > patience) return false;
+      make_way(e);
     }
-    return todo_.empty();
+    return true;
   }
   [[nodiscard]] const std::vector<Colour>& colours() const { return colouring_.all(); }
 
@@ -305,11 +307,12 @@ EdgeColouring colour_edges(const CsrGraph& graph, const EdgeColouringOptions& op
   if (delta == 0) return made({}, 0, EdgeColourCount::delta, true);
   if (is_bipartite(graph)) return made(colour_bipartite(graph, delta), delta, EdgeColourCount::delta, true);
   const bool impossible = is_overfull(graph, delta);
+  // A failure follows paths of some thousand edges where they are long: the larger the graph, the fewer are allowed.
+  const std::size_t patience = std::clamp<std::size_t>(2'000'000 / vertex_count(graph), 50, 2000);
   for (std::uint32_t round = 0; !impossible && round < options.rounds && !options.stop.stop_requested();
        ++round) {
     DeltaAttempt attempt(graph, delta, options.seed + round);
-    if (attempt.run(20 * edge_count(graph)))
-      return made(attempt.colours(), delta, EdgeColourCount::delta, true);
+    if (attempt.run(patience)) return made(attempt.colours(), delta, EdgeColourCount::delta, true);
   }
   return made(MisraGries(graph, delta + 1).run(), delta + 1, EdgeColourCount::delta_plus_one, impossible);
 }
