@@ -8,18 +8,21 @@ namespace leonhard::graph::detail {
 
 std::uint32_t LevelSearch::operator()(std::uint32_t root) {
   ++current_;
-  queue_.assign(1, root);
   start_.assign({0, 1});
   stamp_[root] = current_;
-  for (std::size_t i = 0;;) {
-    for (const std::size_t end = start_.back(); i < end; ++i)
-      for (const std::uint32_t w : neighbours(graph_, queue_[i]))
-        if (stamp_[w] != current_) {
-          stamp_[w] = current_;
-          queue_.push_back(w);
+  std::uint32_t* const queue = queue_.data();
+  std::uint32_t* const stamp = stamp_.data();
+  queue[0] = root;
+  std::uint32_t tail = 1;
+  for (std::uint32_t i = 0;;) {
+    for (const std::uint32_t end = start_.back(); i < end; ++i)
+      for (const std::uint32_t w : neighbours(graph_, queue[i]))
+        if (stamp[w] != current_) {
+          stamp[w] = current_;
+          queue[tail++] = w;
         }
-    if (queue_.size() == start_.back()) return depth();
-    start_.push_back(static_cast<std::uint32_t>(queue_.size()));
+    if (tail == start_.back()) return depth();
+    start_.push_back(tail);
   }
 }
 

@@ -14,13 +14,16 @@ namespace leonhard::graph::detail {
 /// needs no clearing. What a search found stays until the next.
 class LevelSearch {
  public:
-  explicit LevelSearch(const CsrGraph& graph) : graph_(graph), stamp_(vertex_count(graph), 0) {}
+  explicit LevelSearch(const CsrGraph& graph)
+      : graph_(graph), stamp_(vertex_count(graph), 0), queue_(vertex_count(graph)) {}
 
   /// Search from a root; returns the number of levels less one: the root's eccentricity. Cost O(edges reached).
   std::uint32_t operator()(std::uint32_t root);
 
   /// The vertices reached, level after level.
-  [[nodiscard]] std::span<const std::uint32_t> reached() const { return queue_; }
+  [[nodiscard]] std::span<const std::uint32_t> reached() const {
+    return std::span(queue_).first(start_.back());
+  }
   [[nodiscard]] std::uint32_t depth() const { return static_cast<std::uint32_t>(start_.size()) - 2; }
   [[nodiscard]] std::span<const std::uint32_t> level(std::uint32_t l) const {
     return reached().subspan(start_[l], start_[l + 1] - start_[l]);
@@ -34,7 +37,7 @@ class LevelSearch {
  private:
   const CsrGraph& graph_;
   std::vector<std::uint32_t> stamp_;  ///< per vertex: the last search that reached it
-  std::vector<std::uint32_t> queue_;
+  std::vector<std::uint32_t> queue_;  ///< the vertices reached, then room for the others
   std::vector<std::uint32_t> start_;  ///< per level its place in the queue, and the end
   std::uint32_t current_ = 0;
 };

@@ -75,15 +75,19 @@ void read_vertex(io::TextScanner& scan, std::uint32_t v, const Header& header, G
   }
 }
 
-/// Self-loops stand in one list; writers count them as edges or not.
-void check_edge_count(const io::TextScanner& scan, const Header& header, const detail::ListedGraph& listed) {
-  const auto loops = static_cast<std::size_t>(
+std::size_t count_self_loops(const detail::ListedGraph& listed) {
+  return static_cast<std::size_t>(
       std::ranges::count_if(listed.entries, [](const detail::ListedEdge& e) { return e.from == e.to; }));
-  const std::size_t proper = listed.entries.size() - loops;
+}
+
+/// Self-loops stand in one list; writers count them as edges or not.
+void check_edge_count(const std::string& source, const Header& header, std::size_t entries,
+                      std::size_t loops) {
+  const std::size_t proper = entries - loops;
   if (2 * header.edges >= proper && 2 * header.edges <= proper + 2 * loops) return;
-  throw InputError(scan.source(),
+  throw InputError(source,
                    "the header declares " + std::to_string(header.edges) + " edges, the lists hold " +
-                       std::to_string(listed.entries.size()) + " neighbours",
+                       std::to_string(entries) + " neighbours",
                    "each edge stands in two lists: correct the header, or the file is damaged");
 }
 
@@ -131,8 +135,9 @@ GraphFile parse_metis_graph(std::string_view text, const std::string& source) {
     read_vertex(scan, v, header, file, listed);
   }
   if (scan.next_line()) scan.fail("found a line after the last vertex's", "correct the number of vertices");
-  check_edge_count(scan, header, listed);
+  const std::size_t entries = listed.entries.size(), loops = count_self_loops(listed);
   detail::assemble(std::move(listed), file);
+  check_edge_count(source, header, entries, loops);
   if (header.vertex_sizes) file.warnings.push_back(source + ": the sizes of its vertices were left out");
   return file;
 }

@@ -113,10 +113,11 @@ TriangleMesh multi_component_mesh() {
     pslg.points.push_back({0.6 + 4 * std::cos(angle), 4 * std::sin(angle)});
     pslg.segments.push_back({static_cast<std::size_t>(i), static_cast<std::size_t>((i + 1) % 40), 2});
   }
-  add_element(pslg, {-0.16, -0.12}, 0.22, 30, 0.16);
+  add_element(pslg, {-0.21, -0.13}, 0.22, 30, 0.16);
   add_element(pslg, {0.03, -0.02}, 0.85, 0, 0.14);
   add_element(pslg, {0.86, -0.05}, 0.34, -32, 0.14);
-  return delaunay::mesh_pslg(pslg, {.min_angle_deg = 28}).mesh;
+  const auto size = [](Point2 p) { return 0.025 + 0.12 * std::max(0.0, distance(p, {0.45, -0.05}) - 0.6); };
+  return delaunay::mesh_pslg(pslg, {.min_angle_deg = 28, .size = size}).mesh;
 }
 
 const TriangleMesh& flap_mesh() {
