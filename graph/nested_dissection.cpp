@@ -18,7 +18,12 @@ using Vertices = std::vector<std::uint32_t>;
 class Dissection {
  public:
   Dissection(const CsrGraph& graph, const NestedDissectionOptions& options)
-      : extract_(graph), options_(options), set_of_(vertex_count(graph), 0) {}
+      : extract_(graph),
+        options_(options),
+        set_of_(vertex_count(graph), 0),
+        tries_(options.tries > 0               ? options.tries
+               : vertex_count(graph) > 100'000 ? 3
+                                               : 8) {}
 
   void divide(Vertices vertices) {
     if (vertices.size() <= options_.leaf || stop()) return close_set(vertices);
@@ -58,7 +63,7 @@ class Dissection {
 
   std::array<Vertices, 3> separated(const CsrGraph& piece, const Vertices& vertices) {
     const VertexSeparator found = vertex_separator(piece, {.largest_side = options_.largest_side,
-                                                           .tries = options_.tries,
+                                                           .tries = tries_,
                                                            .seed = options_.seed + set_count_,
                                                            .stop = options_.progress.stop});
     std::array<Vertices, 3> sides;
@@ -78,6 +83,7 @@ class Dissection {
   SubgraphExtractor extract_;
   const NestedDissectionOptions& options_;
   std::vector<std::uint32_t> set_of_;
+  std::uint32_t tries_;
   std::uint32_t set_count_ = 0;
   std::size_t closed_ = 0;  ///< vertices that have their set
   bool stopped_ = false;

@@ -10,7 +10,9 @@ namespace leonhard::graph {
 struct NestedDissectionOptions {
   std::uint32_t leaf = 100;    ///< pieces of no more vertices are not divided
   double largest_side = 0.67;  ///< of a piece's vertices
-  std::uint32_t tries = 8;     ///< separators of each piece, of which the smallest is taken
+  /// Separators of each piece, of which the smallest is taken; 0: eight, or three where the graph has more than 100,000
+  /// vertices.
+  std::uint32_t tries = 0;
   std::uint64_t seed = 1;
   Progress progress;  ///< stage "nested dissection"
 };
