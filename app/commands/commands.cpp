@@ -22,6 +22,7 @@ void add_commands(CLI::App& program, ExitCode& code) {
   add_triangulate(program, code);
   add_tetrahedralize(program, code);
   add_voronoi(program, code);
+  add_order(program, code);
   add_check(program, code);
   add_draw(program, code);
   add_convert(program, code);

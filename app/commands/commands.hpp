@@ -32,6 +32,7 @@ void add_mesh(CLI::App& program, ExitCode& code);
 void add_triangulate(CLI::App& program, ExitCode& code);
 void add_tetrahedralize(CLI::App& program, ExitCode& code);
 void add_voronoi(CLI::App& program, ExitCode& code);
+void add_order(CLI::App& program, ExitCode& code);
 void add_check(CLI::App& program, ExitCode& code);
 void add_draw(CLI::App& program, ExitCode& code);
 void add_convert(CLI::App& program, ExitCode& code);

@@ -19,9 +19,12 @@ struct Figure {
   std::string title;
   std::vector<draw::Diagram> (*make)();
   int columns = 1;
+  /// Draws a figure that is no diagram, such as a whole mesh or a matrix; make is then not used.
+  void (*draw)(const std::filesystem::path& file, const std::string& title) = nullptr;
 };
 
 [[nodiscard]] std::vector<Figure> dual_figures();       ///< 1.2.0, 1.3.0, 3.1.0
+[[nodiscard]] std::vector<Figure> graph_figures();      ///< 2.1.0 to 2.3.4
 [[nodiscard]] std::vector<Figure> property_figures();   ///< 3.2.0 to 3.2.3
 [[nodiscard]] std::vector<Figure> algorithm_figures();  ///< 3.3.0 to 3.3.8
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the figures of Barth's notes that belong to triangulation: notes_figures FOLDER [FIGURE...]
+// Draws the figures of Barth's notes that belong to triangulation and graphs: notes_figures FOLDER [FIGURE...]
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -12,21 +12,22 @@ using leonhard::notes::Figure;
 
 std::vector<Figure> all_figures() {
   std::vector<Figure> all;
-  for (const auto& part : {leonhard::notes::dual_figures(), leonhard::notes::property_figures(),
-                           leonhard::notes::algorithm_figures()})
+  for (const auto& part : {leonhard::notes::dual_figures(), leonhard::notes::graph_figures(),
+                           leonhard::notes::property_figures(), leonhard::notes::algorithm_figures()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
 void draw(const Figure& figure, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / ("figure-" + figure.number + ".png");
+  const std::string title = "Figure " + figure.number + "  " + figure.title;
+  std::printf("%s  %s\n", file.c_str(), figure.title.c_str());
+  if (figure.draw != nullptr) return figure.draw(file, title);
   const std::vector<leonhard::draw::Diagram> panels = figure.make();
   const int rows = (static_cast<int>(panels.size()) + figure.columns - 1) / figure.columns;
   const leonhard::draw::PictureSize size{figure.columns == 1 ? 1200 : 700 * figure.columns,
                                          (figure.columns == 1 && rows == 1 ? 860 : 660 * rows) + 60};
-  const std::filesystem::path file = folder / ("figure-" + figure.number + ".png");
-  leonhard::draw::draw_diagrams(file, panels, figure.columns, "Figure " + figure.number + "  " + figure.title,
-                                size);
-  std::printf("%s  %s\n", file.c_str(), figure.title.c_str());
+  leonhard::draw::draw_diagrams(file, panels, figure.columns, title, size);
 }
 
 }  // namespace

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/graph/order.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "leonhard/app/commands/commands.hpp"
+#include "leonhard/app/console.hpp"
+#include "leonhard/app/graphs/read_any_graph.hpp"
+#include "leonhard/app/report/json.hpp"
+#include "leonhard/app/report/lap_timer.hpp"
+#include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/graph/fill.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/atomic_file.hpp"
+#include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/number_text.hpp"
+#include "leonhard/mesh/permute.hpp"
+
+namespace leonhard::app {
+namespace {
+
+struct OrderCommand {
+  CommonOptions common;
+  std::string input, method = "reverse-cuthill-mckee", start = "natural", picture;
+  bool cells = false;
+};
+
+/// One line of the table.
+struct Ordered {
+  std::string name;
+  graph::OrderResult result;
+  graph::OrderingCost cost;
+  graph::CholeskyFill fill;
+  double seconds{};
+};
+
+class Orderer {
+ public:
+  Orderer(const AnyGraph& input, const OrderCommand& command, Console& console, const StopOnSignal& signals)
+      : input_(input) {
+    options_.coordinates = input.coordinates;
+    options_.seed = command.common.seed;
+    options_.start = *graph::order_method_named(command.start);
+    options_.progress.stop = signals.token();
+    options_.progress.report = [&console](std::string_view stage, double fraction) {
+      console.transient(fmt::format("{:<18}{:3.0f} %", stage, 100 * fraction));
+    };
+  }
+
+  Ordered operator()(const graph::NamedOrderMethod& named) {
+    options_.method = named.method;
+    const auto start = std::chrono::steady_clock::now();
+    Ordered ordered;
+    ordered.name = named.name;
+    ordered.result = graph::order(input_.graph, options_);
+    ordered.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ordered.cost = graph::ordering_cost(input_.graph, ordered.result.order);
+    ordered.fill = graph::cholesky_fill(input_.graph, ordered.result.order);
+    return ordered;
+  }
+
+ private:
+  const AnyGraph& input_;
+  graph::OrderOptions options_;
+};
+
+/// Rosen's exchanges take long on large graphs: with `all` they are left out there, which a warning tells.
+constexpr std::uint32_t largest_for_rosen = 20000;
+
+std::vector<Ordered> ordered_by(const OrderCommand& command, AnyGraph& input, Orderer& orderer) {
+  std::vector<Ordered> table;
+  for (const graph::NamedOrderMethod& named : graph::named_order_methods) {
+    if (command.method != "all" && command.method != named.name &&
+        named.method != graph::OrderMethod::natural)
+      continue;
+    if (command.method == "all" && named.method == graph::OrderMethod::hilbert && input.coordinates.empty())
+      continue;
+    if (command.method == "all" && named.method == graph::OrderMethod::rosen &&
+        graph::vertex_count(input.graph) > largest_for_rosen) {
+      input.warnings.push_back("rosen is left out: it takes long on so large a graph; ask for it by name");
+      continue;
+    }
+    table.push_back(orderer(named));
+  }
+  return table;
+}
+
+Json table_json(const std::vector<Ordered>& table) {
+  Json list = Json::array();
+  for (const Ordered& line : table)
+    list.push_back({{"method", line.name},
+                    {"bandwidth", line.cost.bandwidth},
+                    {"envelope", line.cost.envelope},
+                    {"rms_wavefront", line.cost.rms_wavefront},
+                    {"fill", line.fill.fill},
+                    {"nonzeros", line.fill.nonzeros},
+                    {"flops", line.fill.flops},
+                    {"seconds", line.seconds},
+                    {"outcome", line.result.outcome == graph::OrderOutcome::done ? "done" : "stopped"}});
+  return list;
+}
+
+void print_table(const std::vector<Ordered>& table) {
+  fmt::print("{:<24}{:>10}{:>16}{:>12}{:>16}{:>11}{:>10}\n", "method", "bandwidth", "envelope", "wavefront",
+             "nonzeros of L", "flops", "seconds");
+  for (const Ordered& line : table)
+    fmt::print("{:<24}{:>10}{:>16}{:>12.1f}{:>16}{:>11.3g}{:>10.3f}\n", line.name,
+               grouped(line.cost.bandwidth), grouped(line.cost.envelope), line.cost.rms_wavefront,
+               grouped(line.fill.nonzeros), line.fill.flops, line.seconds);
+}
+
+void draw_patterns(const OrderCommand& command, const AnyGraph& input, const std::vector<Ordered>& table) {
+  const std::vector<std::string> shown_of_all{"natural", "reverse-cuthill-mckee", "spectral",
+                                              "nested-dissection"};
+  std::vector<Numbering> numberings;
+  for (const Ordered& line : table)
+    if (command.method != "all" || std::ranges::count(shown_of_all, line.name) > 0)
+      numberings.push_back({line.name, line.cost, line.fill.fill, line.result.order});
+  draw_matrix(command.picture, input.graph, numberings,
+              std::filesystem::path(command.input).filename().string());
+}
+
+std::string order_text(const std::vector<std::uint32_t>& order) {
+  std::string text;
+  for (const std::uint32_t old : order) {
+    io::append_number(text, old);
+    text += '\n';
+  }
+  return text;
+}
+
+graph::CsrGraph renumbered(const graph::CsrGraph& graph, const std::vector<std::uint32_t>& order) {
+  graph::SubgraphExtractor extract(graph);
+  return extract(order);
+}
+
+TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<std::uint32_t>& order) {
+  PerId<VertexId, VertexId> new_of_old(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) new_of_old[VertexId::from(order[i])] = VertexId::from(i);
+  return mesh::renumber_vertices(mesh, new_of_old);
+}
+
+std::vector<std::string> output_extensions(const AnyGraph& input) {
+  std::vector<std::string> known{".txt", ".graph"};
+  if (input.mesh) known.insert(known.end(), io::mesh_extensions().begin(), io::mesh_extensions().end());
+  return known;
+}
+
+/// What cannot be written is said before any work.
+void check_output(const OrderCommand& command, const AnyGraph& input) {
+  if (command.common.output.empty()) return;
+  if (command.method == "all")
+    throw InputError("--method", "all is a comparison, not one order that could be written",
+                     "name one method");
+  const std::string extension =
+      io::known_extension(command.common.output, output_extensions(input), "output");
+  if (command.cells && extension != ".txt" && extension != ".graph")
+    throw InputError(command.common.output, "a mesh is renumbered by its vertices",
+                     "write the cells' order as .txt or their graph as .graph");
+}
+
+void write_output(const std::filesystem::path& path, const AnyGraph& input,
+                  const std::vector<std::uint32_t>& order) {
+  const std::string extension = io::known_extension(path, output_extensions(input), "output");
+  if (extension == ".txt") return io::write_file_atomically(path, order_text(order));
+  if (extension == ".graph") return graph::write_graph(path, renumbered(input.graph, order));
+  io::write_mesh(path, renumbered(*input.mesh, order));
+}
+
+ExitCode order_file(const OrderCommand& command) {
+  LapTimer timer;
+  Console console(command.common.quiet);
+  const StopOnSignal signals;
+  if (!command.picture.empty()) io::known_extension(command.picture, {".png", ".svg", ".pdf"}, "picture");
+  AnyGraph input = read_any_graph(command.input, command.cells ? GraphOf::cells : GraphOf::vertices);
+  check_output(command, input);
+  timer.lap("read");
+  Orderer orderer(input, command, console, signals);
+  const std::vector<Ordered> table = ordered_by(command, input, orderer);
+  timer.lap("order");
+  if (!command.common.output.empty()) write_output(command.common.output, input, table.back().result.order);
+  if (!command.picture.empty()) draw_patterns(command, input, table);
+  timer.lap("write");
+  for (const std::string& warning : input.warnings) console.warning(warning);
+  if (command.common.json) {
+    Json report = graph_report(command.input, input);
+    report["orderings"] = table_json(table);
+    if (!command.common.output.empty()) report["output"] = command.common.output;
+    if (!command.picture.empty()) report["picture"] = command.picture;
+    report["warnings"] = input.warnings;
+    report["seconds"] = timer.seconds();
+    report["peak_memory_bytes"] = peak_memory_bytes();
+    fmt::print("{}\n", report.dump(2));
+  } else {
+    print_table(table);
+  }
+  const bool stopped = std::ranges::any_of(
+      table, [](const Ordered& line) { return line.result.outcome == graph::OrderOutcome::stopped; });
+  return stopped ? ExitCode::stopped : ExitCode::done;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const graph::NamedOrderMethod& known : graph::named_order_methods) names.emplace_back(known.name);
+  return names;
+}
+
+}  // namespace
+
+void add_order(CLI::App& program, ExitCode& code) {
+  auto options = std::make_shared<OrderCommand>();
+  CLI::App* command = program.add_subcommand(
+      "order", "Number a mesh's or graph's vertices for a small bandwidth, envelope or fill");
+  command->add_option("input", options->input, "A mesh, or a graph (.graph .mtx .edges .csv)")->required();
+  std::vector<std::string> names = method_names();
+  command->add_option("--start", options->start, "The order that rosen improves")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  names.emplace_back("all");
+  command->add_option("--method", options->method, "How; all compares them")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  command->add_flag("--cells", options->cells, "Order the cells of a mesh, by its dual graph");
+  command->add_option("--picture", options->picture, "Draw the matrix's pattern as it is and as ordered");
+  add_common_flags(*command, options->common,
+                   "Write the renumbered mesh or .graph, or the order as .txt (old numbers in new sequence)");
+  command->callback([options, &code] { code = order_file(*options); });
+}
+
+}  // namespace leonhard::app

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/graph/communication.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "leonhard/graph/sorted_arcs.hpp"
+#include "leonhard/kernel/input_error.hpp"
+
+namespace leonhard::graph {
+namespace {
+
+void check_partition(const CsrGraph& graph, const Partition& partition) {
+  if (partition.part_of.size() != vertex_count(graph))
+    throw InputError("partition",
+                     std::to_string(partition.part_of.size()) + " entries for " +
+                         std::to_string(vertex_count(graph)) + " vertices",
+                     "give one part a vertex");
+  for (std::size_t v = 0; v < partition.part_of.size(); ++v)
+    if (partition.part_of[v] >= partition.parts)
+      throw InputError("partition",
+                       "vertex " + std::to_string(v) + " is in part " + std::to_string(partition.part_of[v]) +
+                           " of " + std::to_string(partition.parts),
+                       "number the parts from 0");
+}
+
+/// Source, target and vertex of everything that is sent, each once, ascending.
+std::vector<std::array<std::uint32_t, 3>> values_sent(const CsrGraph& graph, const Partition& partition) {
+  std::vector<std::array<std::uint32_t, 3>> sent;
+  std::vector<std::uint32_t> targets;
+  for (std::uint32_t v = 0; v < vertex_count(graph); ++v) {
+    const std::uint32_t own = partition.part_of[v];
+    targets.clear();
+    for (const std::uint32_t w : neighbours(graph, v))
+      if (partition.part_of[w] != own) targets.push_back(partition.part_of[w]);
+    std::ranges::sort(targets);
+    const auto repeated = std::ranges::unique(targets);
+    targets.erase(repeated.begin(), repeated.end());
+    for (const std::uint32_t target : targets) sent.push_back({own, target, v});
+  }
+  std::ranges::sort(sent);
+  return sent;
+}
+
+std::uint64_t longest(const Exchange& exchange) { return std::max(exchange.forwards, exchange.backwards); }
+
+std::uint64_t longest(const std::vector<Exchange>& cycle) {
+  std::uint64_t length = 0;
+  for (const Exchange& exchange : cycle) length = std::max(length, longest(exchange));
+  return length;
+}
+
+}  // namespace
+
+CommunicationGraph communication_graph(const CsrGraph& graph, const Partition& partition) {
+  check_partition(graph, partition);
+  CommunicationGraph result;
+  detail::Arcs arcs;
+  for (const auto& [from, to, vertex] : values_sent(graph, partition)) {
+    if (arcs.empty() || arcs.back() != std::pair{from, to}) {
+      arcs.emplace_back(from, to);
+      result.message.push_back(0);
+    }
+    ++result.message.back();
+  }
+  result.graph = detail::graph_of_sorted_arcs(arcs, partition.parts);
+  return result;
+}
+
+CommunicationSchedule communication_schedule(const CommunicationGraph& communication,
+                                             const EdgeColouringOptions& options) {
+  const CsrGraph& graph = communication.graph;
+  CommunicationSchedule schedule;
+  schedule.colouring = colour_edges(graph, options);
+  schedule.cycles.resize(schedule.colouring.colours);
+  std::vector<std::size_t> row(vertex_count(graph) + std::size_t{1}, 0);  // where each part's messages begin
+  for (std::uint32_t p = 0; p < vertex_count(graph); ++p) row[p + std::size_t{1}] = row[p] + degree(graph, p);
+  std::size_t edge = 0;
+  for (std::uint32_t p = 0; p < vertex_count(graph); ++p) {
+    const auto list = neighbours(graph, p);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::uint32_t q = list[k];
+      if (q < p) continue;
+      const auto back = std::ranges::lower_bound(neighbours(graph, q), p) - neighbours(graph, q).begin();
+      schedule.cycles[schedule.colouring.colour_of[edge++]].push_back(
+          {p, q, communication.message[row[p] + k],
+           communication.message[row[q] + static_cast<std::size_t>(back)]});
+    }
+  }
+  std::ranges::stable_sort(schedule.cycles, std::ranges::greater{},
+                           [](const std::vector<Exchange>& cycle) { return longest(cycle); });
+  return schedule;
+}
+
+CommunicationCost communication_cost(const CommunicationSchedule& schedule, const MessageCost& cost) {
+  for (const double seconds : {cost.alpha, cost.beta})
+    if (!std::isfinite(seconds) || seconds < 0)
+      throw InputError(
+          "cost", "alpha is " + std::to_string(cost.alpha) + " s, beta " + std::to_string(cost.beta) + " s",
+          "both must be finite and not negative");
+  CommunicationCost result;
+  result.cycles = static_cast<std::uint32_t>(schedule.cycles.size());
+  std::vector<double> busy;
+  for (const std::vector<Exchange>& cycle : schedule.cycles) {
+    if (!cycle.empty()) result.synchronous_seconds += cost(longest(cycle));
+    for (const Exchange& exchange : cycle) {
+      const double seconds = cost(longest(exchange));
+      if (busy.size() <= exchange.second) busy.resize(exchange.second + std::size_t{1}, 0);
+      busy[exchange.first] += seconds;
+      busy[exchange.second] += seconds;
+      result.values += exchange.forwards + exchange.backwards;
+      result.longest_message = std::max(result.longest_message, longest(exchange));
+      result.all_messages_seconds += seconds;
+    }
+  }
+  for (const double seconds : busy)
+    result.busiest_part_seconds = std::max(result.busiest_part_seconds, seconds);
+  return result;
+}
+
+}  // namespace leonhard::graph
