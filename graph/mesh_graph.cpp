@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "leonhard/graph/sorted_arcs.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
@@ -47,12 +48,8 @@ Rows rows_of(std::uint32_t vertices, std::span<const Edge> edges) {
   return rows;
 }
 
-using Arcs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-CsrGraph graph_of_sorted_arcs(const Arcs& arcs, std::size_t vertices) {
-  return CsrGraph(boost::edges_are_sorted, arcs.begin(), arcs.end(), static_cast<std::uint32_t>(vertices),
-                  static_cast<std::uint32_t>(arcs.size()));
-}
+using detail::Arcs;
+using detail::graph_of_sorted_arcs;
 
 void check_edges(std::uint32_t vertices, std::span<const Edge> edges) {
   if (edges.size() > max_edges)
@@ -64,6 +61,32 @@ void check_edges(std::uint32_t vertices, std::span<const Edge> edges) {
                          "edge " + std::to_string(i) + " ends at vertex " + std::to_string(end) +
                              ", the graph has " + std::to_string(vertices) + " vertices",
                          "number vertices from 0");
+}
+
+/// The graph of cells that name one another as neighbours.
+template <class CellId, std::size_t sides>
+CsrGraph graph_of_neighbours(const PerId<CellId, std::array<MaybeId<CellId>, sides>>& neighbours,
+                             std::size_t cell_count, const std::string& cell) {
+  const std::uint32_t cells = as_vertex_count(cell_count, "cells");
+  if (neighbours.size() != cells)
+    throw InputError("mesh",
+                     "neighbours are known for " + std::to_string(neighbours.size()) + " of " +
+                         std::to_string(cells) + " cells (" + cell + ")",
+                     "call mesh::build_neighbours first");
+  std::vector<Edge> list;
+  list.reserve(cells * sides / 2);
+  for (const CellId t : neighbours.ids())
+    for (const MaybeId<CellId> neighbour : neighbours[t]) {
+      if (!neighbour) continue;
+      const CellId s = *neighbour;
+      if (!neighbours.contains(s) || std::ranges::count(neighbours[s], MaybeId<CellId>(t)) == 0)
+        throw InputError("mesh",
+                         cell + " " + std::to_string(t.raw) + " names " + cell + " " + std::to_string(s.raw) +
+                             " as neighbour, which does not name it back",
+                         "call mesh::build_neighbours again");
+      if (t < s) list.push_back({static_cast<std::uint32_t>(t.raw), static_cast<std::uint32_t>(s.raw)});
+    }
+  return graph_from_edges(cells, list).graph;
 }
 
 }  // namespace
@@ -97,27 +120,30 @@ CsrGraph vertex_graph(const TriangleMesh& mesh, const EdgeStructure& edges) {
   return graph_from_edges(vertices, list).graph;
 }
 
-CsrGraph dual_graph(const TriangleMesh& mesh) {
-  const std::uint32_t triangles = as_vertex_count(mesh.triangle_count(), "triangles");
-  if (mesh.neighbours.size() != triangles)
-    throw InputError("mesh",
-                     "neighbours are known for " + std::to_string(mesh.neighbours.size()) + " of " +
-                         std::to_string(triangles) + " triangles",
-                     "call mesh::build_neighbours first");
+CsrGraph vertex_graph(const TetMesh& mesh) {
+  const std::uint32_t vertices = as_vertex_count(mesh.vertex_count(), "vertices");
   std::vector<Edge> list;
-  list.reserve(triangles * std::size_t{3} / 2);
-  for (const TriangleId t : mesh.corners.ids())
-    for (const MaybeId<TriangleId> neighbour : mesh.neighbours[t]) {
-      if (!neighbour) continue;
-      const TriangleId s = *neighbour;
-      if (!mesh.corners.contains(s) || std::ranges::count(mesh.neighbours[s], MaybeId<TriangleId>(t)) == 0)
+  list.reserve(mesh.tet_count() * tet_edge_corners.size());
+  for (const TetId t : mesh.corners.ids())
+    for (const auto& [i, j] : tet_edge_corners) {
+      const VertexId a = mesh.corners[t][i], b = mesh.corners[t][j];
+      if (a == b || a.raw >= vertices || b.raw >= vertices)
         throw InputError("mesh",
-                         "triangle " + std::to_string(t.raw) + " names triangle " + std::to_string(s.raw) +
-                             " as neighbour, which does not name it back",
-                         "call mesh::build_neighbours again");
-      if (t < s) list.push_back({static_cast<std::uint32_t>(t.raw), static_cast<std::uint32_t>(s.raw)});
+                         "tetrahedron " + std::to_string(t.raw) + " has an edge from vertex " +
+                             std::to_string(a.raw) + " to " + std::to_string(b.raw) + ", the mesh has " +
+                             std::to_string(vertices) + " vertices",
+                         "name four distinct vertices");
+      list.push_back({static_cast<std::uint32_t>(a.raw), static_cast<std::uint32_t>(b.raw)});
     }
-  return graph_from_edges(triangles, list).graph;
+  return graph_from_edges(vertices, list).graph;
+}
+
+CsrGraph dual_graph(const TriangleMesh& mesh) {
+  return graph_of_neighbours(mesh.neighbours, mesh.triangle_count(), "triangle");
+}
+
+CsrGraph dual_graph(const TetMesh& mesh) {
+  return graph_of_neighbours(mesh.neighbours, mesh.tet_count(), "tetrahedron");
 }
 
 Components components(const CsrGraph& graph) {

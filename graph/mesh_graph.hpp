@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "leonhard/mesh/edges.hpp"
+#include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::graph {
@@ -66,6 +67,18 @@ struct EdgeListGraph {
 /// throws  InputError if the neighbours are missing or not mutual
 /// Cost O(triangles).
 [[nodiscard]] CsrGraph dual_graph(const TriangleMesh& mesh);
+
+/// The graph of a tetrahedral mesh's vertices and edges.
+///
+/// throws  InputError on a corner that is no vertex, a tetrahedron that names a vertex twice, or a mesh too large
+/// Cost O(vertices + tetrahedra log degree); neighbours are not read.
+[[nodiscard]] CsrGraph vertex_graph(const TetMesh& mesh);
+
+/// The dual graph of a tetrahedral mesh: one vertex a tetrahedron, an edge where two share a face.
+///
+/// throws  as for triangles
+/// Cost O(tetrahedra).
+[[nodiscard]] CsrGraph dual_graph(const TetMesh& mesh);
 
 /// The connected components, numbered by their smallest vertex.
 struct Components {

@@ -95,16 +95,31 @@ TextScanner::TextScanner(std::string_view text, std::string source, TextSyntax s
   }
 }
 
+bool TextScanner::take_line() {
+  const std::size_t newline = text_.find('\n', next_);
+  const std::size_t end = newline == std::string_view::npos ? text_.size() : newline;
+  const std::string_view line = text_.substr(next_, end - next_);
+  next_ = newline == std::string_view::npos ? end : newline + 1;
+  ++line_;
+  rest_ = syntax_.comment == '\0' ? line : line.substr(0, line.find(syntax_.comment));
+  const bool has_comment = rest_.size() < line.size();
+  trim();
+  return has_comment;
+}
+
 bool TextScanner::next_line() {
   while (next_ < text_.size()) {
-    const std::size_t newline = text_.find('\n', next_);
-    const std::size_t end = newline == std::string_view::npos ? text_.size() : newline;
-    rest_ = text_.substr(next_, end - next_);
-    next_ = newline == std::string_view::npos ? end : newline + 1;
-    ++line_;
-    if (syntax_.comment != '\0') rest_ = rest_.substr(0, rest_.find(syntax_.comment));
-    trim();
+    take_line();
     if (!rest_.empty()) return true;
+  }
+  rest_ = {};
+  return false;
+}
+
+bool TextScanner::next_line_even_if_empty() {
+  while (next_ < text_.size()) {
+    const bool has_comment = take_line();
+    if (!rest_.empty() || !has_comment) return true;
   }
   rest_ = {};
   return false;

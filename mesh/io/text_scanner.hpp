@@ -37,6 +37,10 @@ class TextScanner {
   /// line() stays on the last line.
   bool next_line();
 
+  /// Go to the next line, be it empty: a line of blanks counts, one that holds a comment alone does not. For formats in
+  /// which an empty line means something. false at the end of the text.
+  bool next_line_even_if_empty();
+
   /// As next_line, but throws the error of a file cut short: "file ends where <expected> was expected".
   void need_line(const char* expected);
 
@@ -77,6 +81,8 @@ class TextScanner {
  private:
   [[nodiscard]] bool is_blank(char c) const { return blank_[static_cast<unsigned char>(c)]; }
   void trim();
+  /// Take the next line, blanks and comment off; returns whether there was a comment.
+  bool take_line();
 
   std::string_view text_;
   std::string source_;

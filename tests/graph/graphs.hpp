@@ -46,6 +46,33 @@ inline CsrGraph complete(std::uint32_t n) {
   return graph_from_edges(n, edges).graph;
 }
 
+/// Vertex 0 joined to all others.
+inline CsrGraph star(std::uint32_t n) {
+  Edges edges;
+  for (std::uint32_t v = 1; v < n; ++v) edges.push_back({0, v});
+  return graph_from_edges(n, edges).graph;
+}
+
+/// A cycle of n - 1 vertices and a hub, vertex 0, joined to all of them.
+inline CsrGraph wheel(std::uint32_t n) {
+  Edges edges;
+  for (std::uint32_t v = 1; v < n; ++v) {
+    edges.push_back({0, v});
+    edges.push_back({v, v % (n - 1) + 1});
+  }
+  return graph_from_edges(n, edges).graph;
+}
+
+/// Each pair of vertices joined with the given chance in 256.
+inline CsrGraph random_graph(std::uint32_t n, unsigned chance, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Edges edges;
+  for (std::uint32_t v = 0; v < n; ++v)
+    for (std::uint32_t w = v + 1; w < n; ++w)
+      if (random() % 256 < chance) edges.push_back({v, w});
+  return graph_from_edges(n, edges).graph;
+}
+
 /// Several graphs side by side, numbered one after another.
 inline CsrGraph disjoint_union(const std::vector<CsrGraph>& graphs) {
   Edges edges;

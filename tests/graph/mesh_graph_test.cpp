@@ -131,3 +131,27 @@ TEST_CASE("subgraph_of_a_repeated_vertex_is_refused_and_leaves_the_extractor_fit
   CHECK_THROWS_AS(static_cast<void>(extract(std::vector<std::uint32_t>{1, 5})), InputError);
   CHECK(edge_count(extract(std::vector<std::uint32_t>{2, 1})) == 1);
 }
+
+TEST_CASE("graphs_of_tetrahedra_have_their_edges_and_faces") {
+  TetMesh mesh;  // two tetrahedra on a common face
+  mesh.points = PerId<VertexId, Point3>(std::vector<Point3>(5));
+  const auto v = [](IdRaw raw) { return VertexId{raw}; };
+  mesh.corners.push_back({v(0), v(1), v(2), v(3)});
+  mesh.corners.push_back({v(1), v(2), v(3), v(4)});
+  const CsrGraph vertices = vertex_graph(mesh);
+  CHECK(edge_count(vertices) == 9);  // all pairs but 0-4
+  CHECK_FALSE(std::ranges::binary_search(neighbours(vertices, 0), 4U));
+  CHECK_FALSE(validate(vertices));
+
+  CHECK_THROWS_AS(static_cast<void>(dual_graph(mesh)), InputError);  // no neighbours yet
+  mesh.neighbours = PerId<TetId, std::array<MaybeId<TetId>, 4>>(2);
+  mesh.neighbours[TetId{0}][0] = TetId{1};
+  mesh.neighbours[TetId{1}][3] = TetId{0};
+  CHECK(edge_count(dual_graph(mesh)) == 1);
+  mesh.neighbours[TetId{1}][3] = {};
+  CHECK_THROWS_AS(static_cast<void>(dual_graph(mesh)), InputError);
+  mesh.corners[TetId{1}][3] = v(5);
+  CHECK_THROWS_AS(static_cast<void>(vertex_graph(mesh)), InputError);
+  mesh.corners[TetId{1}][3] = v(1);
+  CHECK_THROWS_AS(static_cast<void>(vertex_graph(mesh)), InputError);
+}
