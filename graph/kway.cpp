@@ -6,15 +6,17 @@
 #include <unordered_map>
 #include <utility>
 
-#include "leonhard/graph/kway_balance.hpp"
 #include "leonhard/graph/kway_coarsen.hpp"
 #include "leonhard/graph/kway_flow.hpp"
 #include "leonhard/graph/kway_fm.hpp"
 #include "leonhard/graph/kway_initial.hpp"
 #include "leonhard/graph/kway_random.hpp"
+#include "leonhard/graph/two_way_fm.hpp"
 
 namespace leonhard::graph::detail {
 namespace {
+
+constexpr std::uint32_t two_way_passes = 8;
 
 /// A partition and what it is worth.
 struct Candidate {
@@ -39,61 +41,92 @@ class Partitioner {
         progress_(progress) {}
 
   KwayResult operator()() {
-    std::vector<Candidate> population;
-    for (std::uint32_t i = 0; i < settings_.population; ++i) {
-      if (i > 0 && progress_.stop_requested()) break;
-      population.push_back(from_nothing());
-    }
-    for (std::uint32_t i = 0; i < settings_.combinations && !progress_.stop_requested(); ++i)
-      replace(population, combined(population[winner(population)], population[winner(population)]));
-    Candidate& best = *std::ranges::min_element(population, std::less<>{});
+    progress_("multilevel partition", 0);
+    Candidate best =
+        evolved(graph_, settings_.population, settings_.combinations, [&] { return from_nothing(); });
     return {std::move(best.part_of), progress_.stop_requested()};
   }
 
  private:
-  Candidate from_nothing() {
-    const Hierarchy levels(graph_, coarsest_size(), {}, random_, progress_.stop);
-    return rise(levels, recursive_multilevel_bisection(levels.coarsest(), parts_, limit_, settings_.bisection,
-                                                       random_, progress_.stop));
+  /// Partitions made independently, then the better of two and the better of two others combined again and again.
+  template <class Make>
+  Candidate evolved(const KwayGraph& graph, std::uint32_t count, std::uint32_t combinations,
+                    const Make& make) {
+    std::vector<Candidate> population;
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (i == 0 || !progress_.stop_requested()) population.push_back(make());
+    for (std::uint32_t i = 0; i < combinations && !progress_.stop_requested(); ++i) {
+      const Candidate& a = population[winner(population)];
+      Candidate offspring = combined(graph, a, population[winner(population)]);
+      Candidate& worst = *std::ranges::max_element(population, std::less<>{});
+      if (offspring < worst) worst = std::move(offspring);
+    }
+    return std::move(*std::ranges::min_element(population, std::less<>{}));
   }
 
-  /// What neither parent cuts stays joined; of the same parent twice, a new descent that keeps its cuts.
-  Candidate combined(const Candidate& a, const Candidate& b) {
+  /// Coarsened, partitioned where it is coarsest, refined on the way up.
+  Candidate from_nothing() {
+    const std::uint32_t size = std::max(settings_.coarsest, settings_.coarsest_per_part * parts_);
+    const Hierarchy levels(graph_, size, {}, random_, progress_.stop);
+    const KwayGraph& coarsest = levels.coarsest();
+    const auto bisected = [&] {
+      std::vector<std::uint32_t> part_of = recursive_multilevel_bisection(
+          coarsest, parts_, limit_on(coarsest), settings_.bisection, random_, progress_.stop);
+      refine(coarsest, part_of, settings_.coarse);
+      return valued(coarsest, std::move(part_of));
+    };
+    Candidate best = evolved(coarsest, settings_.coarse_population, settings_.coarse_combinations, bisected);
+    if (levels.levels() == 1) return best;
+    return rise(levels, levels.project(levels.levels() - 2, best.part_of), levels.levels() - 1);
+  }
+
+  /// What neither parent cuts stays joined on the way down; the better one is where the way up starts.
+  Candidate combined(const KwayGraph& graph, const Candidate& a, const Candidate& b) {
     std::unordered_map<std::uint64_t, std::uint32_t> number;  // of a pair of parts
     std::vector<std::uint32_t> label;
-    label.reserve(graph_.size());
-    for (std::uint32_t v = 0; v < graph_.size(); ++v) {
+    label.reserve(graph.size());
+    for (std::uint32_t v = 0; v < graph.size(); ++v) {
       const std::uint64_t pair = std::uint64_t{a.part_of[v]} * parts_ + b.part_of[v];
       label.push_back(number.try_emplace(pair, static_cast<std::uint32_t>(number.size())).first->second);
     }
-    const Hierarchy levels(graph_, coarsest_size(), std::move(label), random_, progress_.stop);
-    return rise(levels, levels.to_coarsest((b < a ? b : a).part_of));
+    constexpr std::uint32_t per_part = 10;
+    const Hierarchy levels(graph, per_part * parts_, std::move(label), random_, progress_.stop);
+    return rise(levels, levels.to_coarsest((b < a ? b : a).part_of), levels.levels());
   }
 
-  Candidate rise(const Hierarchy& levels, std::vector<std::uint32_t> part_of) {
-    for (std::size_t depth = levels.levels(); depth-- > 0;) {
-      const double risen = 1 - static_cast<double>(depth) / static_cast<double>(levels.levels());
-      progress_("multilevel partition", std::min(1.0, (cycles_ + risen) / total_cycles()));
-      if (depth + 1 < levels.levels()) part_of = levels.project(depth, part_of);
-      if (!progress_.stop_requested())
-        refine(levels.level(depth), part_of, depth == 0 ? settings_.finest : settings_.coarse);
+  /// Refines on levels depth - 1, ... 0; part_of is of the first of them.
+  Candidate rise(const Hierarchy& levels, std::vector<std::uint32_t> part_of, std::size_t depth) {
+    while (depth-- > 0) {
+      const KwayGraph& level = levels.level(depth);
+      refine(level, part_of, &level == &graph_ ? settings_.finest : settings_.coarse);
+      if (depth > 0) part_of = levels.project(depth - 1, part_of);
     }
-    ++cycles_;
+    if (&levels.level(0) == &graph_) progress_("multilevel partition", ++cycles_ / total_cycles());
+    return valued(levels.level(0), std::move(part_of));
+  }
+
+  Candidate valued(const KwayGraph& graph, std::vector<std::uint32_t> part_of) const {
     Candidate result;
-    result.balanced = keep_limit(graph_, parts_, limit_, part_of);
-    result.cut = cut_of(graph_, part_of);
+    result.balanced = std::ranges::max(part_weights(graph, part_of, parts_)) <= limit_on(graph);
+    result.cut = cut_of(graph, part_of);
     result.part_of = std::move(part_of);
     return result;
   }
 
   void refine(const KwayGraph& graph, std::vector<std::uint32_t>& part_of,
               const RefinementSettings& settings) {
-    KwayFm fm(graph, parts_, limit_, part_of, random_);
-    fm.rebalance();
-    for (std::uint32_t i = 0; i < settings.searches && !progress_.stop_requested(); ++i)
-      if (fm.search_round(settings.patience, progress_.stop) == 0) break;
-    const KwayFlow::Room room{graph.total_weight / parts_, limit_};
-    KwayFlow flow(graph, std::vector(parts_, room), part_of, random_);
+    if (progress_.stop_requested()) return;
+    const std::int64_t limit = limit_on(graph);
+    const std::int64_t mean = graph.total_weight / parts_;
+    if (parts_ == 2) {
+      TwoWayFm(graph, {{mean, graph.total_weight - mean}, {limit, limit}}).refine(part_of, two_way_passes);
+    } else {
+      KwayFm fm(graph, parts_, limit, part_of, random_);
+      fm.rebalance();
+      for (std::uint32_t i = 0; i < settings.searches && !progress_.stop_requested(); ++i)
+        if (fm.search_round(settings.patience, progress_.stop) == 0) break;
+    }
+    KwayFlow flow(graph, std::vector(parts_, KwayFlow::Room{mean, limit}), part_of, random_);
     for (std::uint32_t i = 0; i < settings.flows && !progress_.stop_requested(); ++i)
       if (flow.round(settings.reach, progress_.stop) == 0) break;
   }
@@ -105,13 +138,8 @@ class Partitioner {
     return population[j] < population[i] ? j : i;
   }
 
-  static void replace(std::vector<Candidate>& population, Candidate offspring) {
-    Candidate& worst = *std::ranges::max_element(population, std::less<>{});
-    if (offspring < worst) worst = std::move(offspring);
-  }
-
-  [[nodiscard]] std::uint32_t coarsest_size() const {
-    return std::max(settings_.coarsest, settings_.coarsest_per_part * parts_);
+  [[nodiscard]] std::int64_t limit_on(const KwayGraph& graph) const {
+    return &graph == &graph_ ? limit_ : limit_ + allowance(graph);
   }
   [[nodiscard]] double total_cycles() const { return settings_.population + settings_.combinations; }
 
@@ -132,9 +160,9 @@ KwaySettings settings_of(Effort effort) {
   settings.finest.reach = 2;
   switch (effort) {
     case Effort::low:
-      settings.coarsest = 100;
+      settings.coarsest = 200;
       settings.bisection.repeats = 1;
-      settings.coarse.flows = settings.finest.flows = 0;
+      settings.coarse.flows = settings.finest.flows = 1;
       break;
     case Effort::normal:
       break;

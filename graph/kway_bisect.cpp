@@ -54,6 +54,17 @@ std::vector<std::uint32_t> grow(const KwayGraph& graph, const BisectionGoal& goa
   return side;
 }
 
+/// The first vertices that are heavy enough together to side 0: what there is time for after a stop request.
+std::vector<std::uint32_t> by_index(const KwayGraph& graph, const BisectionGoal& goal) {
+  std::vector<std::uint32_t> side(graph.size(), 1);
+  std::int64_t weight = 0;
+  for (std::uint32_t v = 0; v < graph.size() && weight < goal.target[0]; ++v) {
+    side[v] = 0;
+    weight += graph.vertex_weight[v];
+  }
+  return side;
+}
+
 /// A bisection and what it is worth: less is better, first in excess over the limits.
 struct Bisection {
   std::vector<std::uint32_t> side;
@@ -94,10 +105,16 @@ void refine(const KwayGraph& graph, const BisectionGoal& goal, Bisection& bisect
 Bisection descend_and_rise(const KwayGraph& graph, const BisectionGoal& goal,
                            const BisectionSettings& settings, Random& random, const std::stop_token& stop) {
   const Hierarchy levels(graph, settings.coarsest, {}, random, stop);
-  Bisection found = best_grown(levels.coarsest(), goal, stop.stop_requested() ? 1 : settings.tries, random);
+  const auto goal_at = [&](std::size_t depth) {
+    BisectionGoal relaxed = goal;
+    if (depth > 0)
+      for (std::int64_t& limit : relaxed.limit) limit += allowance(levels.level(depth));
+    return relaxed;
+  };
+  Bisection found = best_grown(levels.coarsest(), goal_at(levels.levels() - 1), settings.tries, random);
   for (std::size_t depth = levels.levels(); depth-- > 0;) {
     if (depth + 1 < levels.levels()) found.side = levels.project(depth, found.side);
-    if (!stop.stop_requested()) refine(levels.level(depth), goal, found, random, stop);
+    if (!stop.stop_requested()) refine(levels.level(depth), goal_at(depth), found, random, stop);
   }
   return found;
 }
@@ -107,6 +124,7 @@ Bisection descend_and_rise(const KwayGraph& graph, const BisectionGoal& goal,
 std::vector<std::uint32_t> multilevel_bisection(const KwayGraph& graph, const BisectionGoal& goal,
                                                 const BisectionSettings& settings, Random& random,
                                                 const std::stop_token& stop) {
+  if (stop.stop_requested()) return by_index(graph, goal);
   Bisection best;
   for (std::uint32_t i = 0; i < settings.repeats; ++i) {
     if (i > 0 && stop.stop_requested()) break;

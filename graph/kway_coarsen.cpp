@@ -124,6 +124,10 @@ KwayGraph contract(const KwayGraph& graph, const Clusters& clusters) {
   return coarse;
 }
 
+std::int64_t allowance(const KwayGraph& coarse) {
+  return coarse.size() == 0 ? 0 : std::ranges::max(coarse.vertex_weight);
+}
+
 Hierarchy::Hierarchy(const KwayGraph& graph, std::uint32_t size, std::vector<std::uint32_t> label,
                      Random& random, const std::stop_token& stop)
     : finest_(&graph) {

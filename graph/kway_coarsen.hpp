@@ -34,6 +34,10 @@ struct Clusters {
 /// Cost O(n + m).
 [[nodiscard]] KwayGraph contract(const KwayGraph& graph, const Clusters& clusters);
 
+/// How much heavier than on the finest level a part or a side may be on a coarse one, where vertices are too heavy to
+/// meet a narrow bound: by the heaviest vertex. The way up takes that back little by little.
+[[nodiscard]] std::int64_t allowance(const KwayGraph& coarse);
+
 /// A graph coarsened step by step.
 class Hierarchy {
  public:

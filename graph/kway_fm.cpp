@@ -130,16 +130,38 @@ std::int32_t KwayFm::search(std::uint32_t seed, std::uint32_t patience) {
   return best;
 }
 
-std::int64_t KwayFm::search_round(std::uint32_t patience, const std::stop_token& stop) {
-  std::vector<std::uint32_t> seeds;
-  for (std::uint32_t v = 0; v < graph_.size(); ++v)
-    if (on_boundary(v)) seeds.push_back(v);
-  random_.shuffle(seeds);
+/// The whole boundary, or what of it is near to the last round's moves; in random sequence.
+std::vector<std::uint32_t> KwayFm::seeds() {
+  std::vector<std::uint32_t> result;
   std::ranges::fill(moved_, 0);
+  const auto add = [&](std::uint32_t v) {
+    if (moved_[v] || !on_boundary(v)) return;
+    moved_[v] = 1;
+    result.push_back(v);
+  };
+  if (first_round_) {
+    for (std::uint32_t v = 0; v < graph_.size(); ++v) add(v);
+  } else {
+    for (const std::uint32_t v : settled_) {
+      add(v);
+      for (const Arc& arc : graph_.row(v)) add(arc.to);
+    }
+  }
+  for (const std::uint32_t v : result) moved_[v] = 0;
+  first_round_ = false;
+  random_.shuffle(result);
+  return result;
+}
+
+std::int64_t KwayFm::search_round(std::uint32_t patience, const std::stop_token& stop) {
+  const std::vector<std::uint32_t> start = seeds();
+  settled_.clear();
   std::int64_t gained = 0;
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
+  for (std::size_t i = 0; i < start.size(); ++i) {
     if (i % 256 == 0 && stop.stop_requested()) break;
-    if (!moved_[seeds[i]]) gained += search(seeds[i], patience);
+    if (moved_[start[i]]) continue;
+    gained += search(start[i], patience);
+    for (const Step& step : steps_) settled_.push_back(step.vertex);
   }
   return gained;
 }

@@ -27,7 +27,8 @@ class KwayFm {
   /// returns  whether every part now keeps the limit; with vertices of one weight always, if parts * limit is enough
   bool rebalance();
 
-  /// One round of small searches, each from a vertex of the boundary: the search moves it and what is near, the best
+  /// One round of small searches, each from a vertex of the boundary (in later rounds, near what moved in the round
+  /// before): the search moves it and what is near, the best
   /// first and worse moves included, until that looks fruitless, and goes back to its best moment. A vertex is moved
   /// once at most in a round.
   ///
@@ -47,6 +48,7 @@ class KwayFm {
   [[nodiscard]] Move best_move(std::uint32_t v);
   [[nodiscard]] bool on_boundary(std::uint32_t v) const;
   void move(std::uint32_t v, std::uint32_t to);
+  [[nodiscard]] std::vector<std::uint32_t> seeds();
   std::int32_t search(std::uint32_t seed, std::uint32_t patience);
   [[nodiscard]] std::uint32_t lightest_part() const;
 
@@ -64,6 +66,8 @@ class KwayFm {
     std::uint32_t vertex, from;
   };
   std::vector<Step> steps_;
+  bool first_round_ = true;
+  std::vector<std::uint32_t> settled_;  ///< vertices that moved for good in the last round
 };
 
 }  // namespace leonhard::graph::detail

@@ -27,9 +27,11 @@ struct KwaySettings {
   std::uint32_t coarsest = 500;          ///< the coarsest level has this many vertices,
   std::uint32_t coarsest_per_part = 30;  ///< or this many a part if that is more
   BisectionSettings bisection;
-  RefinementSettings coarse, finest;  ///< on the levels below the finest, and on it
-  std::uint32_t population = 1;       ///< partitions made independently
-  std::uint32_t combinations = 0;     ///< times that two of them are combined into one
+  std::uint32_t coarse_population = 1;    ///< partitions of the coarsest level made independently
+  std::uint32_t coarse_combinations = 0;  ///< times that two of them are combined into one
+  RefinementSettings coarse, finest;      ///< on the levels below the finest, and on it
+  std::uint32_t population = 1;           ///< partitions of the whole, and as above
+  std::uint32_t combinations = 0;
 };
 
 [[nodiscard]] KwaySettings settings_of(Effort effort);

@@ -5,6 +5,13 @@
 
 namespace leonhard::graph::detail {
 
+TwoWayFm::TwoWayFm(const KwayGraph& graph, const BisectionGoal& goal)
+    : graph_(graph),
+      goal_(goal),
+      passing_excess_(graph.size() == 0 ? 0 : std::ranges::max(graph.vertex_weight)),
+      queue_{GainQueue(graph.size()), GainQueue(graph.size())},
+      moved_in_(graph.size(), 0) {}
+
 TwoWayFm::Gain TwoWayFm::gain(const std::vector<std::uint32_t>& side, std::uint32_t v) const {
   Gain result{0, false};
   for (const Arc& arc : graph_.row(v)) {
@@ -60,7 +67,8 @@ bool TwoWayFm::pass(std::vector<std::uint32_t>& side) {
     moved_in_[v] = pass_;
     const std::uint32_t to = 1 - from;
     const std::int64_t weight = graph_.vertex_weight[v];
-    if (excess_if(weight_[to] + weight, to) > excess_if(weight_[from], from)) continue;
+    if (excess_if(weight_[to] + weight, to) > std::max(excess_if(weight_[from], from), passing_excess_))
+      continue;
     move(side, v);
     moves_.push_back(v);
     cut_ -= gained;

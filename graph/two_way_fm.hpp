@@ -19,11 +19,7 @@ namespace leonhard::graph::detail {
 class TwoWayFm {
  public:
   /// graph  must outlive the refiner
-  TwoWayFm(const KwayGraph& graph, const BisectionGoal& goal)
-      : graph_(graph),
-        goal_(goal),
-        queue_{GainQueue(graph.size()), GainQueue(graph.size())},
-        moved_in_(graph.size(), 0) {}
+  TwoWayFm(const KwayGraph& graph, const BisectionGoal& goal);
 
   /// side      changed in place
   /// returns   the weight of the cut edges
@@ -50,6 +46,7 @@ class TwoWayFm {
 
   const KwayGraph& graph_;
   BisectionGoal goal_;
+  std::int64_t passing_excess_;          ///< allowed within a pass, so that vertices can change places
   std::array<GainQueue, 2> queue_;       ///< by side
   std::vector<std::uint32_t> moved_in_;  ///< per vertex: the last pass that moved or gave it up
   std::vector<std::uint32_t> moves_;

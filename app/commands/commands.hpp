@@ -33,6 +33,7 @@ void add_triangulate(CLI::App& program, ExitCode& code);
 void add_voronoi(CLI::App& program, ExitCode& code);
 void add_check(CLI::App& program, ExitCode& code);
 void add_draw(CLI::App& program, ExitCode& code);
+void add_partition(CLI::App& program, ExitCode& code);
 void add_convert(CLI::App& program, ExitCode& code);
 
 }  // namespace leonhard::app
