@@ -249,7 +249,7 @@ void write(const PartitionCommand& command, Input& input, const Partition& parti
   if (path.extension() == ".txt") {
     std::string text;
     for (const std::uint32_t part : partition.part_of) text += std::to_string(part) + "\n";
-    io::AtomicFile file(path);
+    AtomicFile file(path);
     file.write(text);
     file.commit();
   } else if (path.extension() == ".vtu" && of_triangles) {
