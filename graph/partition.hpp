@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "leonhard/graph/fiedler.hpp"
@@ -16,7 +17,9 @@ namespace leonhard::graph {
 enum class PartitionOutcome {
   done,
   empty_parts,  ///< more parts than vertices were asked for: the first n parts hold one vertex, the rest none
-  stopped       ///< stop was requested: a valid balanced partition, but its last splits are by index only
+  stopped,      ///< stop was requested: a valid balanced partition, but not refined as it would have been
+  unbalanced,   ///< vertices so heavy that no partition within the imbalance was found
+  disconnected,  ///< connected parts were asked for, and none within the imbalance were found
 };
 
 /// To each vertex (point, triangle) its part.
@@ -32,9 +35,43 @@ struct [[nodiscard]] Partition {
 /// points in proportion). Points are ordered along the longer side, ties by the other coordinate, then by
 /// index; a square box is split along x. The first parts hold the smaller coordinates.
 ///
-/// throws  InputError if parts is 0 or a point is not finite
-/// Cost O(n log(parts)) expected. Barth's notes 2.3.
-Partition recursive_coordinate_bisection(std::span<const Point2> points, std::uint32_t parts);
+/// weights  one a point, positive; empty: all the same. With weights the parts' weights are in proportion as nearly as
+///          points allow.
+/// throws   InputError if parts is 0, a point is not finite, or weights are not as many as points
+/// Cost O(n log(parts)) expected, with weights O(n log(n) log(parts)). Barth's notes 2.3.
+Partition recursive_coordinate_bisection(std::span<const Point2> points, std::uint32_t parts,
+                                         std::span<const std::uint32_t> weights = {});
+Partition recursive_coordinate_bisection(std::span<const Point3> points, std::uint32_t parts,
+                                         std::span<const std::uint32_t> weights = {});
+
+/// Recursive inertial bisection: halve the point set across the axis along which it spreads most (the principal axis
+/// of its inertia), whatever its direction. Balance, weights and errors as above; ties are broken by index.
+///
+/// Method: Simon, Computing Systems in Engineering 2 (1991) 135-148.
+Partition recursive_inertial_bisection(std::span<const Point2> points, std::uint32_t parts,
+                                       std::span<const std::uint32_t> weights = {});
+Partition recursive_inertial_bisection(std::span<const Point3> points, std::uint32_t parts,
+                                       std::span<const std::uint32_t> weights = {});
+
+/// Where a Cuthill-McKee ordering is cut in two.
+enum class CuthillMcKeeCut {
+  median,    ///< balance within one vertex
+  level_set  ///< at the boundary of breadth-first levels nearest to the median: fewer pieces, less balance
+};
+
+struct CuthillMcKeeOptions {
+  double imbalance =
+      1;  ///< of the heaviest part, for level_set: where no boundary keeps it the median is taken
+  std::span<const std::uint32_t> weights{};  ///< as above; with weights level_set is the median
+  Progress progress{};                       ///< only its stop is used
+};
+
+/// Recursive bisection of the Cuthill-McKee ordering of each piece (Barth's notes 2.3, figure 2.3.3).
+///
+/// throws  InputError if parts is 0, the imbalance negative, or weights are not as many as vertices
+/// Cost O(m log(parts)) and a sort of each row.
+Partition recursive_cuthill_mckee_bisection(const CsrGraph& graph, std::uint32_t parts, CuthillMcKeeCut where,
+                                            const CuthillMcKeeOptions& options = {});
 
 /// Recursive spectral bisection: halve the graph at the median of its Fiedler vector.
 ///
@@ -43,11 +80,58 @@ Partition recursive_coordinate_bisection(std::span<const Point2> points, std::ui
 ///
 /// seed      of the eigensolver's start; the same graph and seed give the same partition
 /// progress  stage "spectral bisection"
-/// throws    InputError if parts is 0
+/// weights   as above
+/// throws    InputError if parts is 0, or weights are not as many as vertices
 /// Cost on meshes: about log2(parts) Fiedler vectors of the whole graph.
 /// Method: Pothen, Simon and Liou, SIAM J. Matrix Anal. Appl. 11 (1990) 430-452; Barth's notes 2.3.
 Partition recursive_spectral_bisection(const CsrGraph& graph, std::uint32_t parts, std::uint64_t seed = 1,
-                                       const Progress& progress = {});
+                                       const Progress& progress = {},
+                                       std::span<const std::uint32_t> weights = {});
+
+enum class PartitionMethod {
+  coordinate,            ///< recursive_coordinate_bisection
+  inertial,              ///< recursive_inertial_bisection
+  cuthill_mckee,         ///< recursive_cuthill_mckee_bisection at the median
+  cuthill_mckee_levels,  ///< the same at level-set boundaries
+  spectral,              ///< recursive_spectral_bisection
+  multilevel,            ///< multilevel k-way: coarsen, bisect, refine; the least cut by far
+};
+
+/// How long the multilevel method tries: on meshes, times METIS' k-way method about as long, three times, and a hundred
+/// times and more.
+enum class Effort { low, normal, high };
+
+struct PartitionOptions {
+  PartitionMethod method = PartitionMethod::multilevel;
+  double imbalance = 0.03;         ///< no part is heavier than heaviest_allowed() says
+  Effort effort = Effort::normal;  ///< of the multilevel method
+  std::uint64_t seed = 1;          ///< same graph, options and seed: same partition
+  bool connected = false;          ///< try to have every part in one piece
+
+  std::span<const std::uint32_t> vertex_weights{};  ///< one a vertex, positive; empty: all 1
+  /// One a directed edge in the graph's sequence, positive, the same in both directions; empty: all 1. Only the
+  /// multilevel method looks at them.
+  std::span<const std::uint32_t> edge_weights{};
+  /// One point a vertex, for the methods coordinate and inertial.
+  std::variant<std::span<const Point2>, std::span<const Point3>> coordinates{};
+  Progress progress{};
+};
+
+/// A partition of a graph's vertices by any of the methods: parts of nearly equal weight, few edges between them.
+///
+/// No part is heavier than heaviest_allowed(); if all vertices weigh the same that always succeeds, otherwise the
+/// outcome may be `unbalanced`. No part is empty. A geometric, spectral or Cuthill-McKee partition is as its own
+/// function gives it, unless that breaks the bound.
+///
+/// parts   at least 1, at most the number of vertices (1 for a graph without any)
+/// throws  InputError on parts, imbalance, weights or coordinates that do not fit; on weights whose sum is 2^31 or more
+/// Method, multilevel: Karypis and Kumar, SIAM J. Sci. Comput. 20 (1998) 359-392; Sanders and Schulz, ESA 2011.
+Partition partition(const CsrGraph& graph, std::uint32_t parts, const PartitionOptions& options = {});
+
+/// The weight that no part may exceed: (1 + imbalance) times the mean, rounded down, but at least the mean rounded up.
+///
+/// weight  of all vertices together
+[[nodiscard]] std::int64_t heaviest_allowed(std::int64_t weight, std::uint32_t parts, double imbalance);
 
 /// A partition of the vertices from one of the triangles: a vertex goes to the part that holds most of its
 /// triangles, the smallest such part where several do. Parts of few triangles may be left without a vertex.
@@ -58,11 +142,13 @@ Partition vertex_partition_from_dual(const TriangleMesh& mesh, const Partition& 
 
 /// What a partition costs, part by part.
 struct PartitionCost {
-  std::size_t cut{};   ///< edges between different parts
-  double imbalance{};  ///< largest part over mean part, less 1; 0 for perfect balance or no vertices
+  std::size_t cut{};           ///< edges between different parts
+  std::uint64_t cut_weight{};  ///< their weight
+  double imbalance{};          ///< heaviest part over mean part, less 1; 0 for perfect balance or no vertices
   std::uint32_t smallest{}, largest{};  ///< vertices of the smallest and largest part
 
   std::vector<std::uint32_t> sizes;       ///< vertices
+  std::vector<std::uint64_t> weights;     ///< of the vertices
   std::vector<std::uint32_t> components;  ///< connected pieces; 0 for an empty part, 1 is what one hopes for
   std::vector<std::uint32_t> neighbours;  ///< parts it shares cut edges with: communication graph degree
   std::vector<std::uint32_t> halo;        ///< vertices of other parts next to it: values it receives
@@ -71,8 +157,13 @@ struct PartitionCost {
   std::size_t total_halo{};  ///< sum of the halos: the communication volume
 };
 
-/// throws  InputError if the partition has not one entry a vertex, has 0 parts, or names a part out of range
+/// vertex_weights  one a vertex; empty: all 1
+/// edge_weights    one a directed edge in the graph's sequence, of which the one at the smaller end counts; empty: all 1
+/// throws  InputError if the partition has not one entry a vertex, has 0 parts, or names a part out of range, or
+///         weights are not as many as they should be
 /// Cost O(n + m + parts), and a sort of the cut edges.
-[[nodiscard]] PartitionCost partition_cost(const CsrGraph& graph, const Partition& partition);
+[[nodiscard]] PartitionCost partition_cost(const CsrGraph& graph, const Partition& partition,
+                                           std::span<const std::uint32_t> vertex_weights = {},
+                                           std::span<const std::uint32_t> edge_weights = {});
 
 }  // namespace leonhard::graph

@@ -24,6 +24,13 @@ void check_partition(const Partition& partition, std::size_t expected, const cha
                        "number parts from 0");
 }
 
+void check_as_many(std::span<const std::uint32_t> weights, std::size_t expected, const char* what) {
+  if (weights.empty() || weights.size() == expected) return;
+  throw InputError("weights",
+                   std::to_string(weights.size()) + " weights for " + std::to_string(expected) + " " + what,
+                   "give one each, or none");
+}
+
 /// Pieces of each part: components of the graph without its cut edges.
 std::vector<std::uint32_t> pieces_per_part(const CsrGraph& graph, const Partition& partition) {
   std::vector<std::uint32_t> pieces(partition.parts, 0), stack;
@@ -96,21 +103,40 @@ Partition vertex_partition_from_dual(const TriangleMesh& mesh, const Partition& 
   return result;
 }
 
-PartitionCost partition_cost(const CsrGraph& graph, const Partition& partition) {
+PartitionCost partition_cost(const CsrGraph& graph, const Partition& partition,
+                             std::span<const std::uint32_t> vertex_weights,
+                             std::span<const std::uint32_t> edge_weights) {
   const std::uint32_t n = vertex_count(graph), parts = partition.parts;
   check_partition(partition, n, "vertices");
+  check_as_many(vertex_weights, n, "vertices");
+  check_as_many(edge_weights, 2 * edge_count(graph), "directed edges");
   PartitionCost cost;
   cost.sizes.assign(parts, 0);
   for (const std::uint32_t part : partition.part_of) ++cost.sizes[part];
   const auto [least, most] = std::ranges::minmax_element(cost.sizes);
   cost.smallest = *least;
   cost.largest = *most;
-  if (n > 0) cost.imbalance = static_cast<double>(cost.largest) * parts / n - 1;
+  cost.weights.assign(parts, 0);
+  std::uint64_t total = 0;
+  for (std::uint32_t v = 0; v < n; ++v) {
+    const std::uint32_t weight = vertex_weights.empty() ? 1 : vertex_weights[v];
+    cost.weights[partition.part_of[v]] += weight;
+    total += weight;
+  }
+  if (total > 0)
+    cost.imbalance =
+        static_cast<double>(std::ranges::max(cost.weights)) * parts / static_cast<double>(total) - 1;
   cost.components = pieces_per_part(graph, partition);
 
+  std::size_t arc = 0;
   for (std::uint32_t v = 0; v < n; ++v)
-    for (const std::uint32_t w : neighbours(graph, v))
-      if (v < w && partition.part_of[v] != partition.part_of[w]) ++cost.cut;
+    for (const std::uint32_t w : neighbours(graph, v)) {
+      const std::uint32_t weight = edge_weights.empty() ? 1 : edge_weights[arc];
+      ++arc;
+      if (v > w || partition.part_of[v] == partition.part_of[w]) continue;
+      ++cost.cut;
+      cost.cut_weight += weight;
+    }
 
   cost.halo.assign(parts, 0);
   cost.neighbours.assign(parts, 0);
