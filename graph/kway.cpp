@@ -66,7 +66,7 @@ class Partitioner {
 
   /// Coarsened, partitioned where it is coarsest, refined on the way up.
   Candidate from_nothing() {
-    const std::uint32_t size = std::max(settings_.coarsest, settings_.coarsest_per_part * parts_);
+    const std::uint32_t size = std::max(settings_.coarsest, vertices_for_parts(settings_.coarsest_per_part));
     const Hierarchy levels(graph_, size, {}, random_, progress_.stop);
     const KwayGraph& coarsest = levels.coarsest();
     const auto bisected = [&] {
@@ -89,8 +89,7 @@ class Partitioner {
       const std::uint64_t pair = std::uint64_t{a.part_of[v]} * parts_ + b.part_of[v];
       label.push_back(number.try_emplace(pair, static_cast<std::uint32_t>(number.size())).first->second);
     }
-    constexpr std::uint32_t per_part = 10;
-    const Hierarchy levels(graph, per_part * parts_, std::move(label), random_, progress_.stop);
+    const Hierarchy levels(graph, vertices_for_parts(10), std::move(label), random_, progress_.stop);
     return rise(levels, levels.to_coarsest((b < a ? b : a).part_of), levels.levels());
   }
 
@@ -138,6 +137,10 @@ class Partitioner {
     return population[j] < population[i] ? j : i;
   }
 
+  [[nodiscard]] std::uint32_t vertices_for_parts(std::uint32_t each) const {
+    return static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(std::uint64_t{each} * parts_, graph_.size() + 1U));
+  }
   [[nodiscard]] std::int64_t limit_on(const KwayGraph& graph) const {
     return &graph == &graph_ ? limit_ : limit_ + allowance(graph);
   }
