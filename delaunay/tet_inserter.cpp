@@ -26,7 +26,7 @@ unsigned face_towards(const std::array<MaybeId<TetId>, 4>& neighbours, TetId oth
 constexpr std::array<std::array<std::uint8_t, 3>, 4> face_corners_inwards{
     {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 
-/// On walls of up to 4^4 vertices new tetrahedra find one another through a table of all pairs of vertices.
+/// With so many vertices on the walls at most, new tetrahedra find one another through a table of all pairs of them.
 constexpr std::size_t largest_table = 256;
 
 }  // namespace
@@ -34,7 +34,9 @@ constexpr std::size_t largest_table = 256;
 TetInserter::TetInserter(TetArena& arena, VertexRange owned, TetId hint)
     : arena_(arena),
       spheres_(kernel::detail::best_batch_filters().spheres),
-      owned_(owned), restricted_(owned.end - owned.begin < arena.nodes.size()), hint_(hint) {
+      owned_(owned),
+      restricted_(owned.end - owned.begin < arena.nodes.size()),
+      hint_(hint) {
   if (!restricted_) free_numbers_ = std::exchange(arena.free_numbers, {});
 }
 
@@ -64,7 +66,6 @@ template <bool restricted>
 MaybeId<TetId> TetInserter::walk(const Point3& p) {
   const auto& cells = arena_.cells;
   TetId t = hint_;
-  if (restricted && !is_owned(t)) return {};
   unsigned entered = 4;
   while (true) {
     const auto& c = cells.corners[t];

@@ -26,12 +26,13 @@ struct VertexRange {
 ///
 /// Several inserters may work at once on one arena if their ranges are disjoint. An inserter reads and deletes
 /// tetrahedra with four vertices of its own alone (the ghost counts as everybody's), reads their neighbours, which
-/// nobody else can delete since they have three vertices of its own, and writes the link back into these. A point for
-/// which that is not enough is left to be inserted later.
+/// nobody else can delete since they have three vertices of its own, and writes the link back and marks into these. A
+/// point for which that is not enough is left to be inserted later. (The filter loads a node as a whole, notes that
+/// another inserter may be writing included, and throws the notes away.)
 class TetInserter {
  public:
   /// owned  all vertices, or a part of them for one of several inserters at a time
-  /// hint   a real tetrahedron, for the first walk to start from
+  /// hint   a real tetrahedron of owned vertices, for the first walk to start from
   TetInserter(TetArena& arena, VertexRange owned, TetId hint);
 
   /// Numbers first to last - 1, dead, are this inserter's to use. Without any the arena grows, which only one inserter at
@@ -52,6 +53,8 @@ class TetInserter {
   /// Give all unused numbers back to the arena.
   void return_numbers();
 
+  [[nodiscard]] bool is_owned(TetId t) const;
+
  private:
   /// A face between a tetrahedron of the cavity and one that was asked, and with that a wall unless it dies as well.
   struct Face {
@@ -70,7 +73,6 @@ class TetInserter {
   template <bool restricted>
   [[nodiscard]] MaybeId<TetId> walk(const Point3& p);
   [[nodiscard]] bool in_conflict(TetId t, const Point3& p) const;
-  [[nodiscard]] bool is_owned(TetId t) const;
   template <bool restricted>
   [[nodiscard]] bool open_cavity(TetId t, VertexId v);
   void list_faces(std::size_t begin);

@@ -114,6 +114,8 @@ class Insertion {
     for (Piece& piece : pieces) {
       left.insert(left.end(), piece.left.begin(), piece.left.end());
       piece.inserter->return_numbers();
+      // Of a piece that inserted nothing the hint may be gone.
+      if (piece.left.size() < piece.vertices.size()) hint_ = piece.inserter->hint();
     }
     inserted_ += vertices.size() - left.size();
     report(inserted_);
@@ -127,6 +129,7 @@ class Insertion {
     std::span<const std::uint32_t> vertices;
     TetId first, last;
     std::optional<TetInserter> inserter;
+    bool can_start = false;  ///< the inserter owns its hint
     std::vector<std::uint32_t> left;
   };
 
@@ -156,12 +159,17 @@ class Insertion {
     hint_ = scout.hint();
     scout.return_numbers();
     piece.inserter.emplace(arena_, piece.owned, hint_);
+    piece.can_start = piece.inserter->is_owned(hint_);
   }
 
   /// From the middle to the end, then from the middle to the beginning.
   void insert_piece(Piece& piece) const {
     TetInserter& inserter = *piece.inserter;
     inserter.give_numbers(piece.first, piece.last);
+    if (!piece.can_start) {
+      piece.left.assign(piece.vertices.begin(), piece.vertices.end());
+      return;
+    }
     const std::size_t count = piece.vertices.size(), middle = count / 2;
     const auto insert = [&](std::size_t i) {
       constexpr std::size_t poll = 1024;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/tetrahedralize.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "leonhard/delaunay/large_vector.hpp"
@@ -17,6 +18,8 @@ namespace {
 constexpr double tetrahedra_a_point = 6.77;
 
 void check_size(std::size_t points, std::size_t memory_limit) {
+  if (points > std::numeric_limits<std::uint32_t>::max() - 1)
+    throw InputError("points", std::to_string(points) + " of them are more than 2^32 - 2", "leave points out");
   const auto most = static_cast<double>(GhostTetrahedralization::ghost.index());
   if (static_cast<double>(points) * tetrahedra_a_point > most)
     throw InputError("points",

@@ -74,6 +74,6 @@ TEST_CASE("partition_refuses_what_it_cannot_do_and_says_why") {
   refused("path.graph -k 2 -o parts.docx", 2, ".txt");
   refused("path.graph -k 2 --method inertial", 2, "points for 5 vertices");
   refused("missing.graph -k 2", 2, "missing.graph");
-  refused("path.graph -k 0", 1, "-k");
+  refused("path.graph -k 0", 1, "--parts");
   refused("path.graph -k 2 --method magic", 1, "magic");
 }

@@ -11,27 +11,12 @@
 #include "leonhard/mesh/io/did_you_mean.hpp"
 #include "leonhard/mesh/io/pslg_file.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
+#include "tests/mesh/io/folder.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
 
 using namespace leonhard;
 using namespace leonhard::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "leonhard-test-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-};
-
-}  // namespace
 
 TEST_CASE("every_mesh_format_is_chosen_by_extension_and_round_trips_through_files") {
   const Folder folder;

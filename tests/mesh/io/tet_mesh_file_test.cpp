@@ -7,19 +7,13 @@
 #include "leonhard/mesh/io/file_dimension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/io/tet_soup.hpp"
+#include "tests/mesh/io/folder.hpp"
 #include "tests/mesh/io/sample_tet_meshes.hpp"
 
 using namespace leonhard;
 using namespace leonhard::test;
 
 namespace {
-
-/// A folder that is there as long as the test.
-struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "leonhard_tet_mesh_file_test";
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
 
 io::TetSoup soup_of(const TetMesh& mesh) {
   io::TetSoup soup;
