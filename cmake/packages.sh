@@ -9,7 +9,7 @@ packages_fuzz="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-d
 packages_kernel_tests="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev doctest-dev"
 packages_bench="$packages_release libbenchmark-dev"
 packages_compare="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev libeigen3-dev libfmt-dev \
-libcgal-dev libtet1.5-dev libmpfr-dev"
+libcgal-dev libtet1.5-dev libmpfr-dev libmetis-dev"
 
 # missing_packages NAME...: those that are not installed.
 missing_packages() {
