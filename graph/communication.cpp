@@ -36,8 +36,7 @@ std::vector<std::array<std::uint32_t, 3>> values_sent(const CsrGraph& graph, con
     for (const std::uint32_t w : neighbours(graph, v))
       if (partition.part_of[w] != own) targets.push_back(partition.part_of[w]);
     std::ranges::sort(targets);
-    const auto repeated = std::ranges::unique(targets);
-    targets.erase(repeated.begin(), repeated.end());
+    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
     for (const std::uint32_t target : targets) sent.push_back({own, target, v});
   }
   std::ranges::sort(sent);

@@ -79,9 +79,8 @@ std::vector<std::uint32_t> one_of_each_degree(const CsrGraph& graph,
     const std::uint32_t da = degree(graph, a), db = degree(graph, b);
     return da != db ? da < db : a < b;
   });
-  const auto repeated = std::ranges::unique(
-      sorted, [&](std::uint32_t a, std::uint32_t b) { return degree(graph, a) == degree(graph, b); });
-  sorted.erase(repeated.begin(), repeated.end());
+  const auto same = [&](std::uint32_t a, std::uint32_t b) { return degree(graph, a) == degree(graph, b); };
+  sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
   return sorted;
 }
 

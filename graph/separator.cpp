@@ -246,18 +246,24 @@ Found multilevel_separator(const SeparatorGraph& graph, std::uint32_t limit, std
   return found;
 }
 
-/// Large graphs are coarsened once, to a size at which several tries cost little.
+/// Large graphs are coarsened some times only, to a size at which many tries cost little.
 Found best_separator(const SeparatorGraph& graph, std::uint32_t limit, const SeparatorOptions& options) {
   constexpr std::uint32_t size = 3000;
+  const std::uint32_t trunks = graph.size() <= size ? 1 : std::clamp(options.tries / 2, 1U, 4U);
   std::mt19937_64 random(options.seed);
-  const Hierarchy trunk(graph, size, random);
   Found best;
-  for (std::uint32_t k = 0; k < options.tries; ++k) {
-    if (k > 0 && options.stop.stop_requested()) break;
-    Found found = multilevel_separator(trunk.coarsest(), limit, random);
-    if (k == 0 || found.quality < best.quality) best = std::move(found);
+  for (std::uint32_t t = 0; t < trunks; ++t) {
+    const Hierarchy trunk(graph, size, random);
+    Found of_trunk;
+    for (std::uint32_t k = t; k < options.tries; k += trunks) {
+      if (k > 0 && options.stop.stop_requested()) break;
+      Found found = multilevel_separator(trunk.coarsest(), limit, random);
+      if (k == t || found.quality < of_trunk.quality) of_trunk = std::move(found);
+    }
+    if (of_trunk.side.empty()) break;  // stopped
+    trunk.carry_back(of_trunk, limit);
+    if (t == 0 || of_trunk.quality < best.quality) best = std::move(of_trunk);
   }
-  trunk.carry_back(best, limit);
   return best;
 }
 

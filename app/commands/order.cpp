@@ -72,7 +72,7 @@ class Orderer {
 };
 
 /// Rosen's exchanges take long on large graphs: with `all` they are left out there, which a warning tells.
-constexpr std::uint32_t largest_for_rosen = 20000;
+constexpr std::uint32_t largest_for_rosen = 5000;
 
 std::vector<Ordered> ordered_by(const OrderCommand& command, AnyGraph& input, Orderer& orderer) {
   std::vector<Ordered> table;
