@@ -68,17 +68,6 @@ draw::CutPlane plane_of_numbers(const std::string& words) {
   return {Point3{} + (d / largest / dot(n, n)) * n, n};
 }
 
-graph::CsrGraph dual_graph(const TetMesh& mesh) {
-  std::vector<std::array<std::uint32_t, 2>> edges;
-  for (const TetId t : mesh.corners.ids()) {
-    for (const MaybeId<TetId> across : mesh.neighbours[t]) {
-      if (across && t < *across)
-        edges.push_back({static_cast<std::uint32_t>(t.raw), static_cast<std::uint32_t>((*across).raw)});
-    }
-  }
-  return graph::graph_from_edges(static_cast<std::uint32_t>(mesh.tet_count()), edges).graph;
-}
-
 void draw_field(const TetDrawing& drawing, const TetMesh& mesh, const draw::TetPictureOptions& options) {
   if (std::filesystem::path(drawing.mesh_file).extension() != ".vtu") {
     throw InputError(drawing.mesh_file, "only .vtu files carry fields such as " + drawing.field,
@@ -131,7 +120,7 @@ void draw_tets(const TetDrawing& drawing, const TetMesh& mesh) {
 
   if (!drawing.field.empty()) return draw_field(drawing, mesh, options);
   if (drawing.what == "partition") {
-    const auto parts = graph::recursive_spectral_bisection(dual_graph(mesh), drawing.parts, drawing.seed);
+    const auto parts = graph::recursive_spectral_bisection(graph::dual_graph(mesh), drawing.parts, drawing.seed);
     return draw::draw_tet_partition(drawing.picture, mesh, parts.part_of, parts.parts, options);
   }
   if (drawing.what == "matrix") {
