@@ -35,10 +35,11 @@ inline Points3 uniform_points3(std::size_t n) {
 /// A hundred Gaussian clusters in the unit cube, of deviation 0.01.
 inline Points3 clustered_points3(std::size_t n) {
   const Points3 centres = uniform_points3(100);
-  return drawn3(n, [&, normal = std::normal_distribution<double>(0, 0.01)](auto& random, std::size_t i) mutable {
-    const double x = normal(random), y = normal(random);
-    return centres[i % centres.size()] + Vec3{x, y, normal(random)};
-  });
+  return drawn3(n,
+                [&, normal = std::normal_distribution<double>(0, 0.01)](auto& random, std::size_t i) mutable {
+                  const double x = normal(random), y = normal(random);
+                  return centres[i % centres.size()] + Vec3{x, y, normal(random)};
+                });
 }
 
 /// The largest cubic grid of integers that n points allow, and the points left over in layers more.
@@ -62,19 +63,20 @@ inline Points3 sphere_points3(std::size_t n) {
 
 /// On the surface of the unit cube.
 inline Points3 box_points3(std::size_t n) {
-  return drawn3(n, [unit = std::uniform_real_distribution<double>(0, 1)](auto& random, std::size_t i) mutable {
-    const double x = unit(random), y = unit(random), end = static_cast<double>(i / 3 % 2);
-    return i % 3 == 0 ? Point3{x, y, end} : i % 3 == 1 ? Point3{x, end, y} : Point3{end, x, y};
-  });
+  return drawn3(n,
+                [unit = std::uniform_real_distribution<double>(0, 1)](auto& random, std::size_t i) mutable {
+                  const double x = unit(random), y = unit(random), end = static_cast<double>(i / 3 % 2);
+                  return i % 3 == 0 ? Point3{x, y, end} : i % 3 == 1 ? Point3{x, end, y} : Point3{end, x, y};
+                });
 }
 
 struct PointSet3 {
   const char* name;
   Points3 (*points)(std::size_t n);
 };
-inline constexpr std::array point_sets3{
-    PointSet3{"uniform", uniform_points3}, PointSet3{"clusters", clustered_points3},
-    PointSet3{"grid", grid_points3},       PointSet3{"sphere", sphere_points3},
-    PointSet3{"box faces", box_points3}};
+inline constexpr std::array point_sets3{PointSet3{"uniform", uniform_points3},
+                                        PointSet3{"clusters", clustered_points3},
+                                        PointSet3{"grid", grid_points3}, PointSet3{"sphere", sphere_points3},
+                                        PointSet3{"box faces", box_points3}};
 
 }  // namespace leonhard::benching

@@ -39,7 +39,8 @@ std::optional<std::string> broken_face(const GhostTetrahedralization& in, TetId 
   if (twin == 4) return where + name(*behind) + " lies behind it but does not point back";
   std::array<VertexId, 3> mine = face_corners(in, t, face), other = face_corners(in, *behind, twin);
   std::swap(other[1], other[2]);
-  if (mine != other) return where + name(*behind) + " lies behind it but does not share its corners in opposite order";
+  if (mine != other)
+    return where + name(*behind) + " lies behind it but does not share its corners in opposite order";
   return {};
 }
 

@@ -29,7 +29,9 @@ inline constexpr IdRaw most_nodes = IdRaw{1} << tet_mark_shift;
 [[nodiscard]] inline TetMark mark_of(const std::array<VertexId, 4>& corners) {
   return static_cast<TetMark>(corners[3].raw >> tet_mark_shift);
 }
-[[nodiscard]] inline VertexId unmarked(VertexId corner_3) { return VertexId{corner_3.raw & (most_nodes - 1)}; }
+[[nodiscard]] inline VertexId unmarked(VertexId corner_3) {
+  return VertexId{corner_3.raw & (most_nodes - 1)};
+}
 /// Mark as outside whoever has not been asked.
 inline void mark_if_unasked(std::array<VertexId, 4>& corners) {
   corners[3].raw |= static_cast<IdRaw>(corners[3].raw < most_nodes) << tet_mark_shift;

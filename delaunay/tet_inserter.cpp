@@ -17,7 +17,8 @@ constexpr VertexId ghost = GhostTetrahedralization::ghost;
 /// could foretell.
 unsigned face_towards(const std::array<MaybeId<TetId>, 4>& neighbours, TetId other) {
   const MaybeId<TetId> behind(other);
-  return static_cast<unsigned>(neighbours[1] == behind) | static_cast<unsigned>(neighbours[2] == behind) << 1 |
+  return static_cast<unsigned>(neighbours[1] == behind) |
+         static_cast<unsigned>(neighbours[2] == behind) << 1 |
          static_cast<unsigned>(neighbours[3] == behind) * 3;
 }
 
@@ -106,13 +107,15 @@ bool TetInserter::in_conflict(TetId t, const Point3& p) const {
   const Point3 &c_1 = point(c[1]), &c_2 = point(c[2]), &c_3 = point(unmarked(c[3]));
   if (c[0] != ghost) {
     const Sign side = kernel::insphere_exact(point(c[0]), c_1, c_2, c_3, p);
-    return (side != Sign::zero ? side : kernel::insphere_tie(point(c[0]), c_1, c_2, c_3, p)) == Sign::positive;
+    return (side != Sign::zero ? side : kernel::insphere_tie(point(c[0]), c_1, c_2, c_3, p)) ==
+           Sign::positive;
   }
   const Sign side = kernel::orient3d(p, c_1, c_2, c_3);
   if (side != Sign::zero) return side == Sign::positive;
   // In the face's plane, where the sphere of the tetrahedron inside cuts out the face's circle.
   const auto& r = cells.corners[*cells.neighbours[t][0]];
-  return kernel::insphere_perturbed(point(r[0]), point(r[1]), point(r[2]), point(unmarked(r[3])), p) == Sign::positive;
+  return kernel::insphere_perturbed(point(r[0]), point(r[1]), point(r[2]), point(unmarked(r[3])), p) ==
+         Sign::positive;
 }
 
 /// Mark and list the tetrahedra in conflict with v from t on, and the faces between them and others. False if they are

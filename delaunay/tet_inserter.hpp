@@ -97,10 +97,10 @@ class TetInserter {
   ScratchStack<TetId> cavity_;
   ScratchStack<Face> faces_;
   ScratchStack<Wall> walls_;
-  ScratchStack<TetId> asked_;                  ///< whether they are in conflict, doomed ones and others
+  ScratchStack<TetId> asked_;                 ///< whether they are in conflict, doomed ones and others
   std::vector<std::uint32_t> asked_corners_;  ///< four each of a layer's
   std::vector<Sign> answers_;
-  std::vector<TetId> table_;                  ///< of pairs of numbers on the boundary
+  std::vector<TetId> table_;  ///< of pairs of numbers on the boundary
   Coin coin_;
 };
 

@@ -154,8 +154,7 @@ class Insertion {
   /// The middle of a piece is farthest from its seams.
   void find_hint(Piece& piece) {
     TetInserter scout(arena_, {0, static_cast<IdRaw>(arena_.nodes.size())}, hint_);
-    if (!piece.vertices.empty())
-      scout.walk_to(arena_.nodes[piece.vertices[piece.vertices.size() / 2]].point);
+    if (!piece.vertices.empty()) scout.walk_to(arena_.nodes[piece.vertices[piece.vertices.size() / 2]].point);
     hint_ = scout.hint();
     scout.return_numbers();
     piece.inserter.emplace(arena_, piece.owned, hint_);

@@ -26,7 +26,7 @@ struct TetPointMesh {
 ///
 /// cells   real tetrahedra alone (tet_sort.hpp); its vertices are the sorted points
 /// input   becomes the mesh's points
-[[nodiscard]] TetPointMesh to_mesh(GhostTetrahedralization cells, SortedOrigin origin, std::vector<Point3> input,
-                                   unsigned threads);
+[[nodiscard]] TetPointMesh to_mesh(GhostTetrahedralization cells, SortedOrigin origin,
+                                   std::vector<Point3> input, unsigned threads);
 
 }  // namespace leonhard::delaunay

@@ -107,7 +107,8 @@ class TetSort {
   }
 
   void distribute() {
-    std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);  // all before it are in the right bucket
+    std::vector<std::size_t> next(begins_.begin(),
+                                  begins_.end() - 1);  // all before it are in the right bucket
     for (std::size_t b = 0; b <= buckets_; ++b) {
       for (; next[b] < begins_[b + 1]; ++next[b]) {
         const std::size_t hole = next[b];
@@ -160,7 +161,8 @@ class TetSort {
       sort_few(sorted.data() + (v == 0 ? 0 : ends[v - 1]), sorted.data() + ends[v]);
 
     const std::vector<Corners> corners(corners_.begin() + begin, corners_.begin() + begin + count);
-    const std::vector<Neighbours> neighbours(neighbours_.begin() + begin, neighbours_.begin() + begin + count);
+    const std::vector<Neighbours> neighbours(neighbours_.begin() + begin,
+                                             neighbours_.begin() + begin + count);
     for (std::size_t t = 0; t < count; ++t) {
       const std::uint32_t from = sorted[t].index;
       corners_[begin + t] = corners[from];

@@ -19,18 +19,21 @@ constexpr double tetrahedra_a_point = 6.77;
 
 void check_size(std::size_t points, std::size_t memory_limit) {
   if (points > std::numeric_limits<std::uint32_t>::max() - 1)
-    throw InputError("points", std::to_string(points) + " of them are more than 2^32 - 2", "leave points out");
+    throw InputError("points", std::to_string(points) + " of them are more than 2^32 - 2",
+                     "leave points out");
   const auto most = static_cast<double>(GhostTetrahedralization::ghost.index());
   if (static_cast<double>(points) * tetrahedra_a_point > most)
-    throw InputError("points",
-                     std::to_string(points) + " of them make about " +
-                         std::to_string(static_cast<std::uint64_t>(static_cast<double>(points) * tetrahedra_a_point)) +
-                         " tetrahedra, which ids of " + std::to_string(8 * sizeof(IdRaw)) + " bits cannot number",
-                     "build with -DLEONHARD_64BIT_IDS=ON or leave points out");
+    throw InputError(
+        "points",
+        std::to_string(points) + " of them make about " +
+            std::to_string(static_cast<std::uint64_t>(static_cast<double>(points) * tetrahedra_a_point)) +
+            " tetrahedra, which ids of " + std::to_string(8 * sizeof(IdRaw)) + " bits cannot number",
+        "build with -DLEONHARD_64BIT_IDS=ON or leave points out");
   if (memory_limit != 0 && expected_bytes(points) > memory_limit)
     throw InputError("points",
-                     std::to_string(points) + " of them need about " + std::to_string(expected_bytes(points)) +
-                         " bytes of memory, the limit is " + std::to_string(memory_limit),
+                     std::to_string(points) + " of them need about " +
+                         std::to_string(expected_bytes(points)) + " bytes of memory, the limit is " +
+                         std::to_string(memory_limit),
                      "raise the limit or leave points out");
 }
 
@@ -81,8 +84,9 @@ Tetrahedralization tetrahedralize(std::vector<Point3> points, const Tetrahedrali
   const std::size_t vertices = sorted.nodes.size(), duplicates = points.size() - vertices;
   if (duplicates > 0)
     result.repairs.push_back(std::to_string(duplicates) +
-                             (duplicates == 1 ? " point lies at the place of an earlier one and was merged into it"
-                                              : " points lie at the places of earlier ones and were merged into them"));
+                             (duplicates == 1
+                                  ? " point lies at the place of an earlier one and was merged into it"
+                                  : " points lie at the places of earlier ones and were merged into them"));
   InsertedNodes made = made_of(std::move(sorted.nodes), options);
   result.outcome = made.outcome;
   if (made.outcome == Outcome::done && options.progress.stop_requested()) result.outcome = Outcome::stopped;
@@ -94,7 +98,8 @@ Tetrahedralization tetrahedralize(std::vector<Point3> points, const Tetrahedrali
     sort_and_drop_ghosts(made.cells, vertices, options.threads);
   else
     drop_ghosts(made.cells);
-  TetPointMesh mesh = to_mesh(std::move(made.cells), std::move(sorted.origin), std::move(points), options.threads);
+  TetPointMesh mesh =
+      to_mesh(std::move(made.cells), std::move(sorted.origin), std::move(points), options.threads);
   result.mesh = std::move(mesh.mesh);
   result.vertex_of_input = std::move(mesh.vertex_of_input);
   options.progress("tetrahedralize", 1);

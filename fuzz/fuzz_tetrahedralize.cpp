@@ -68,7 +68,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<Point3> reversed(points.rbegin(), points.rend());
   options.sorted = false;
   options.algorithm = delaunay::TetAlgorithm::insertion;
-  require(mesh::fingerprint(delaunay::tetrahedralize(reversed, options).mesh) == mesh::fingerprint(expected.mesh),
-          "the reverse order gives other tetrahedra", points);
+  require(
+      mesh::fingerprint(delaunay::tetrahedralize(reversed, options).mesh) == mesh::fingerprint(expected.mesh),
+      "the reverse order gives other tetrahedra", points);
   return 0;
 }

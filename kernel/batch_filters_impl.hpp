@@ -165,8 +165,8 @@ void filter_one_against_many(const typename Filter::Point* one, const typename F
 }
 
 /// The vectors from p to a, b, c, d take the place of those from the first point: to put p first is an even permutation.
-void filter_spheres(const Point3& p, const detail::PaddedPoint3* points, const std::uint32_t* ids, std::size_t count,
-                    Sign* signs) {
+void filter_spheres(const Point3& p, const detail::PaddedPoint3* points, const std::uint32_t* ids,
+                    std::size_t count, Sign* signs) {
   const Rows3 from = equal_rows(p);
   filter_all<4>(ids, count, signs, [=](const std::uint32_t* these, Sign* to) LEONHARD_INLINE_LAMBDA {
     const Filtered f = InsphereFilter::filter(

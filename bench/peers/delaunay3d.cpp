@@ -88,9 +88,11 @@ void compare_times(const char* name, const Points3& points, unsigned threads, in
     tetgens = std::min(tetgens, tetgen_seconds(points, tetgen_tets));
   }
   const TetMesh mesh = ours(points, 1);
-  fmt::print("{:<10} {:8.3f} {:8.3f} {:9.3f} {:8.3f} {:8.3f}   {:8.2f} {:8.2f} {:9.2f} {:8.2f}   {:9} {:9} {:9}  {}\n", name, one,
-             unsorted, several, cgals, tetgens, one / cgals, unsorted / cgals, several / cgals, one / several,
-             mesh.tet_count(), cgal_tets, tetgen_tets, mesh == ours(points, threads) ? "yes" : "NO");
+  fmt::print(
+      "{:<10} {:8.3f} {:8.3f} {:9.3f} {:8.3f} {:8.3f}   {:8.2f} {:8.2f} {:9.2f} {:8.2f}   {:9} {:9} {:9}  "
+      "{}\n",
+      name, one, unsorted, several, cgals, tetgens, one / cgals, unsorted / cgals, several / cgals,
+      one / several, mesh.tet_count(), cgal_tets, tetgen_tets, mesh == ours(points, threads) ? "yes" : "NO");
   std::fflush(stdout);
 }
 
@@ -115,7 +117,8 @@ void show_memory(std::size_t n) {
   if (child > 0) waitpid(child, nullptr, 0);
   if (child != 0) return;
   mallopt(M_MMAP_THRESHOLD, 1 << 17);  // what is freed goes back to the system, however large
-  fmt::print("peak memory beyond the input, bytes a point\n{:<10} {:>9} {:>9}\n", "points", "Leonhard", "CGAL");
+  fmt::print("peak memory beyond the input, bytes a point\n{:<10} {:>9} {:>9}\n", "points", "Leonhard",
+             "CGAL");
   for (const benching::PointSet3& set : benching::point_sets3) compare_memory(set.name, set.points(n));
   std::fflush(stdout);
   _exit(0);
@@ -146,11 +149,12 @@ int main(int argc, char** argv) {
   const int turns = static_cast<int>(argument(3, 3));
   const std::vector<std::string> wanted(argv + std::min(argc, 4), argv + argc);
   if (wanted.empty()) show_memory(n);
-  fmt::print("\n{} points\n{:<10} {:^46}   {:^36}   {:^29}\n", n, "", "seconds", "over CGAL's; speed-up", "tetrahedra");
+  fmt::print("\n{} points\n{:<10} {:^46}   {:^36}   {:^29}\n", n, "", "seconds", "over CGAL's; speed-up",
+             "tetrahedra");
   const std::string several = fmt::format("{} threads", threads);
-  fmt::print("{:<10} {:>8} {:>8} {:>9} {:>8} {:>8}   {:>8} {:>8} {:>9} {:>8}   {:>9} {:>9} {:>9}  {}\n", "points", "1 thread",
-             "unsorted", several, "CGAL", "TetGen", "1 thread", "unsorted", several, "speed-up", "Leonhard", "CGAL", "TetGen",
-             "same bits");
+  fmt::print("{:<10} {:>8} {:>8} {:>9} {:>8} {:>8}   {:>8} {:>8} {:>9} {:>8}   {:>9} {:>9} {:>9}  {}\n",
+             "points", "1 thread", "unsorted", several, "CGAL", "TetGen", "1 thread", "unsorted", several,
+             "speed-up", "Leonhard", "CGAL", "TetGen", "same bits");
   for (const benching::PointSet3& set : benching::point_sets3)
     if (wanted.empty() || std::find(wanted.begin(), wanted.end(), set.name) != wanted.end())
       compare_times(set.name, set.points(n), threads, turns);

@@ -79,12 +79,14 @@ TEST_CASE("order_seed_and_algorithm_of_tetrahedralize_change_no_tetrahedron") {
     const TetMesh unsorted = tetrahedralized(family.points, options).mesh;
     CHECK_FALSE(mesh::validate(unsorted).has_value());
     CHECK(mesh::fingerprint(unsorted) == mesh::fingerprint(first));
-    CHECK(mesh::fingerprint(tetrahedralized(shapes3::shuffled(family.points, 5)).mesh) == mesh::fingerprint(first));
+    CHECK(mesh::fingerprint(tetrahedralized(shapes3::shuffled(family.points, 5)).mesh) ==
+          mesh::fingerprint(first));
   }
 }
 
 TEST_CASE("threads_change_no_bit_of_a_tetrahedral_mesh") {
-  for (const auto& points : {shapes3::uniform(40'000), shapes3::gaussian_clusters(40'000), shapes3::grid(32, 33, 34)}) {
+  for (const auto& points :
+       {shapes3::uniform(40'000), shapes3::gaussian_clusters(40'000), shapes3::grid(32, 33, 34)}) {
     const TetMesh one = tetrahedralized(shapes3::shuffled(points, 3)).mesh;
     TetrahedralizeOptions options;
     for (const unsigned threads : {2U, 0U}) {
@@ -140,7 +142,8 @@ TEST_CASE("points_without_a_tetrahedron_have_a_named_outcome_and_an_empty_mesh")
   };
   CHECK(outcome({}) == TetrahedralizeOutcome::too_few_points);
   CHECK(outcome({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == TetrahedralizeOutcome::too_few_points);
-  CHECK(outcome({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {9, 9, 9}}) == TetrahedralizeOutcome::all_collinear);
+  CHECK(outcome({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {9, 9, 9}}) ==
+        TetrahedralizeOutcome::all_collinear);
   CHECK(outcome(shapes3::grid(4, 5, 1)) == TetrahedralizeOutcome::all_coplanar);
 }
 
@@ -151,7 +154,8 @@ TEST_CASE("bad_points_of_space_are_refused_by_name") {
   TetrahedralizeOptions options;
   options.memory_limit_bytes = 1'000'000;
   CHECK(error_of(shapes3::uniform(10'000), options) ==
-        "points: 10000 of them need about 3000000 bytes of memory, the limit is 1000000; raise the limit or leave points "
+        "points: 10000 of them need about 3000000 bytes of memory, the limit is 1000000; raise the limit or "
+        "leave points "
         "out");
   CHECK(error_of(shapes3::uniform(3'000), options) == "no error");
 }
