@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 #include "leonhard/delaunay/ghost_tetrahedralization.hpp"
 #include "leonhard/delaunay/triangulation_views.hpp"
@@ -14,37 +13,7 @@ namespace leonhard::delaunay {
 
 using VertexQuadruple = std::array<VertexId, 4>;
 
-/// The vertices that live: those with finite coordinates.
-class SpaceVertexView {
- public:
-  class iterator : public ViewIterator<iterator, VertexId> {
-   public:
-    using ViewIterator::operator++;
-    iterator() = default;
-    iterator(std::span<const Point3> points, std::size_t at) : points_(points), at_(at) { skip(); }
-    [[nodiscard]] VertexId operator*() const { return VertexId::from(at_); }
-    iterator& operator++() {
-      ++at_;
-      skip();
-      return *this;
-    }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_; }
-
-   private:
-    void skip() {
-      while (at_ < points_.size() && !is_finite(points_[at_])) ++at_;
-    }
-    std::span<const Point3> points_;
-    std::size_t at_{};
-  };
-
-  explicit SpaceVertexView(std::span<const Point3> points) : points_(points) {}
-  [[nodiscard]] iterator begin() const { return {points_, 0}; }
-  [[nodiscard]] iterator end() const { return {points_, points_.size()}; }
-
- private:
-  std::span<const Point3> points_;
-};
+using SpaceVertexView = LivingVertexView<Point3>;
 
 /// The corners of each real tetrahedron, positive.
 class TetrahedronView {

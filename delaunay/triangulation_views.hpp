@@ -35,14 +35,15 @@ struct ViewIterator {
   }
 };
 
-/// The vertices that live: those with finite coordinates.
-class VertexView {
+/// The vertices that live: those with finite coordinates. Points of the plane or of space.
+template <class Point>
+class LivingVertexView {
  public:
   class iterator : public ViewIterator<iterator, VertexId> {
    public:
-    using ViewIterator::operator++;
+    using ViewIterator<iterator, VertexId>::operator++;
     iterator() = default;
-    iterator(std::span<const Point2> points, std::size_t at) : points_(points), at_(at) { skip(); }
+    iterator(std::span<const Point> points, std::size_t at) : points_(points), at_(at) { skip(); }
     [[nodiscard]] VertexId operator*() const { return VertexId::from(at_); }
     iterator& operator++() {
       ++at_;
@@ -55,17 +56,18 @@ class VertexView {
     void skip() {
       while (at_ < points_.size() && !is_finite(points_[at_])) ++at_;
     }
-    std::span<const Point2> points_;
+    std::span<const Point> points_;
     std::size_t at_{};
   };
 
-  explicit VertexView(std::span<const Point2> points) : points_(points) {}
+  explicit LivingVertexView(std::span<const Point> points) : points_(points) {}
   [[nodiscard]] iterator begin() const { return {points_, 0}; }
   [[nodiscard]] iterator end() const { return {points_, points_.size()}; }
 
  private:
-  std::span<const Point2> points_;
+  std::span<const Point> points_;
 };
+using VertexView = LivingVertexView<Point2>;
 
 /// The corners of each real triangle, counter-clockwise.
 class TriangleView {
