@@ -8,7 +8,6 @@ namespace leonhard::graph::detail {
 KwayFm::KwayFm(const KwayGraph& graph, std::uint32_t parts, std::int64_t limit,
                std::vector<std::uint32_t>& part_of, Random& random)
     : graph_(graph),
-      parts_(parts),
       limit_(limit),
       part_of_(part_of),
       random_(random),

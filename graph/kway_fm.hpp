@@ -53,7 +53,6 @@ class KwayFm {
   [[nodiscard]] std::uint32_t lightest_part() const;
 
   const KwayGraph& graph_;
-  std::uint32_t parts_;
   std::int64_t limit_;
   std::vector<std::uint32_t>& part_of_;
   Random& random_;
