@@ -39,7 +39,8 @@ TetPointMesh to_mesh(GhostTetrahedralization cells, SortedOrigin origin, std::ve
   std::vector<std::uint32_t> number_of = std::move(origin.first_input);
   const std::size_t vertices = number_of.size();
   if (vertices < input.size()) {
-    for (std::uint32_t& i : number_of) i = (*result.vertex_of_input[i]).raw;
+    for (std::uint32_t& i : number_of)
+      i = static_cast<std::uint32_t>((*result.vertex_of_input[i]).raw);
     std::size_t next = 0;
     for (std::size_t i = 0; i < input.size(); ++i)
       if ((*result.vertex_of_input[i]).index() == next) input[next++] = input[i];
