@@ -88,6 +88,28 @@ KwayGraph KwaySubgraph::operator()(std::span<const std::uint32_t> vertices,
   return result;
 }
 
+KwayComponents components(const KwayGraph& graph) {
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  KwayComponents result{std::vector<std::uint32_t>(graph.size(), none), 0};
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t root = 0; root < graph.size(); ++root) {
+    if (result.component_of[root] != none) continue;
+    result.component_of[root] = result.count;
+    stack.push_back(root);
+    while (!stack.empty()) {
+      const std::uint32_t v = stack.back();
+      stack.pop_back();
+      for (const Arc& arc : graph.row(v))
+        if (result.component_of[arc.to] == none) {
+          result.component_of[arc.to] = result.count;
+          stack.push_back(arc.to);
+        }
+    }
+    ++result.count;
+  }
+  return result;
+}
+
 std::int64_t cut_of(const KwayGraph& graph, std::span<const std::uint32_t> part_of) {
   std::int64_t twice = 0;
   for (std::uint32_t v = 0; v < graph.size(); ++v)

@@ -52,6 +52,13 @@ class KwaySubgraph {
   std::vector<std::uint32_t> new_of_old_;
 };
 
+struct KwayComponents {
+  std::vector<std::uint32_t> component_of;  ///< one a vertex
+  std::uint32_t count{};                    ///< components are 0 ... count-1, by their first vertices
+};
+
+[[nodiscard]] KwayComponents components(const KwayGraph& graph);
+
 /// The weight of all edges between different parts.
 [[nodiscard]] std::int64_t cut_of(const KwayGraph& graph, std::span<const std::uint32_t> part_of);
 

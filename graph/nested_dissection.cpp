@@ -1,74 +1,98 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/graph/nested_dissection.hpp"
 
-#include <array>
-#include <string>
+#include <algorithm>
+#include <numeric>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "leonhard/graph/kway_graph.hpp"
 #include "leonhard/graph/minimum_degree.hpp"
-#include "leonhard/graph/separator.hpp"
+#include "leonhard/graph/multilevel_separator.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
 namespace {
 
+using detail::KwayGraph;
 using Vertices = std::vector<std::uint32_t>;
+
+struct Piece {
+  KwayGraph graph;
+  Vertices vertices;  ///< of the whole graph, one a vertex of the piece
+};
+
+/// The vertices with each label, in their sequence.
+std::vector<Vertices> by_label(std::span<const std::uint32_t> label, std::uint32_t labels) {
+  std::vector<Vertices> members(labels);
+  for (std::uint32_t v = 0; v < label.size(); ++v) members[label[v]].push_back(v);
+  return members;
+}
+
+Vertices chosen(const Vertices& from, const Vertices& places) {
+  Vertices result;
+  result.reserve(places.size());
+  for (const std::uint32_t i : places) result.push_back(from[i]);
+  return result;
+}
+
+/// The vertices set by set, in their sequence.
+Vertices by_set(const Vertices& set_of) {
+  Vertices order(set_of.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t v) { return set_of[v]; });
+  return order;
+}
 
 /// Divides again and again, numbering the sets in the sequence of their elimination.
 class Dissection {
  public:
-  Dissection(const CsrGraph& graph, const NestedDissectionOptions& options)
-      : extract_(graph),
-        options_(options),
-        set_of_(vertex_count(graph), 0),
-        tries_(options.tries > 0               ? options.tries
-               : vertex_count(graph) > 100'000 ? 3
-                                               : 8) {}
+  Dissection(std::uint32_t vertices, const NestedDissectionOptions& options)
+      : options_(options), random_(options.seed), set_of_(vertices, 0) {}
 
-  void divide(Vertices vertices) {
-    if (vertices.size() <= options_.leaf || stop()) return close_set(vertices);
-    const CsrGraph piece = extract_(vertices);
-    if (const Components parts = components(piece); parts.count() > 1) {
-      Vertices small;  // components that are leaves need no set of their own
-      for (Vertices& part : members(vertices, parts.component_of, parts.count()))
-        if (part.size() > options_.leaf)
-          divide(std::move(part));
-        else
-          small.insert(small.end(), part.begin(), part.end());
-      return close_set(small);
-    }
-    std::array<Vertices, 3> sides = separated(piece, vertices);
-    if (sides[0].empty() || sides[1].empty()) return close_set(vertices);
-    Vertices().swap(vertices);
-    divide(std::move(sides[0]));
-    divide(std::move(sides[1]));
-    close_set(sides[VertexSeparator::separator]);
+  void divide(Piece piece) {
+    if (piece.vertices.size() <= options_.leaf || stop()) return close_set(piece.vertices);
+    const detail::KwayComponents parts = detail::components(piece.graph);
+    if (parts.count > 1) return divide_components(piece, parts);
+    const Sides side = detail::multilevel_separator(piece.graph, options_.largest_side, options_.tries,
+                                                    random_, options_.progress.stop)
+                           .side;
+    std::vector<Vertices> sets = by_label(side, 3);
+    if (sets[0].empty() || sets[1].empty()) return close_set(piece.vertices);
+    const Vertices separator = chosen(piece.vertices, sets[detail::middle]);
+    detail::KwaySubgraph subgraph(piece.graph);
+    Piece first{subgraph(sets[0], side), chosen(piece.vertices, sets[0])};
+    Piece second{subgraph(sets[1], side), chosen(piece.vertices, sets[1])};
+    piece = {};
+    divide(std::move(first));
+    divide(std::move(second));
+    close_set(separator);
   }
 
-  [[nodiscard]] const std::vector<std::uint32_t>& set_of() const { return set_of_; }
+  [[nodiscard]] const Vertices& set_of() const { return set_of_; }
   [[nodiscard]] bool stopped() const { return stopped_; }
 
  private:
+  using Sides = detail::Sides;
+
   [[nodiscard]] bool stop() {
     stopped_ = stopped_ || options_.progress.stop_requested();
     return stopped_;
   }
 
-  static std::vector<Vertices> members(const Vertices& vertices, const std::vector<std::uint32_t>& part_of,
-                                       std::uint32_t parts) {
-    std::vector<Vertices> result(parts);
-    for (std::size_t i = 0; i < vertices.size(); ++i) result[part_of[i]].push_back(vertices[i]);
-    return result;
-  }
-
-  std::array<Vertices, 3> separated(const CsrGraph& piece, const Vertices& vertices) {
-    const VertexSeparator found = vertex_separator(piece, {.largest_side = options_.largest_side,
-                                                           .tries = tries_,
-                                                           .seed = options_.seed + set_count_,
-                                                           .stop = options_.progress.stop});
-    std::array<Vertices, 3> sides;
-    for (std::size_t i = 0; i < vertices.size(); ++i) sides[found.side_of[i]].push_back(vertices[i]);
-    return sides;
+  /// Components that are leaves need no set of their own.
+  void divide_components(const Piece& piece, const detail::KwayComponents& parts) {
+    Vertices small;
+    detail::KwaySubgraph subgraph(piece.graph);
+    for (const Vertices& part : by_label(parts.component_of, parts.count)) {
+      Vertices vertices = chosen(piece.vertices, part);
+      if (part.size() > options_.leaf)
+        divide({subgraph(part, parts.component_of), std::move(vertices)});
+      else
+        small.insert(small.end(), vertices.begin(), vertices.end());
+    }
+    close_set(small);
   }
 
   void close_set(const Vertices& vertices) {
@@ -80,10 +104,9 @@ class Dissection {
                       static_cast<double>(closed_) / static_cast<double>(set_of_.size()));
   }
 
-  SubgraphExtractor extract_;
   const NestedDissectionOptions& options_;
-  std::vector<std::uint32_t> set_of_;
-  std::uint32_t tries_;
+  detail::Random random_;
+  Vertices set_of_;
   std::uint32_t set_count_ = 0;
   std::size_t closed_ = 0;  ///< vertices that have their set
   bool stopped_ = false;
@@ -93,12 +116,11 @@ class Dissection {
 
 OrderResult nested_dissection(const CsrGraph& graph, const NestedDissectionOptions& options) {
   if (options.leaf == 0) throw InputError("options", "leaves of 0 vertices", "give at least 1");
-  Dissection dissection(graph, options);
-  dissection.divide(natural_order(graph));
-  OrderResult result;
-  result.order = detail::constrained_minimum_degree(graph, dissection.set_of());
-  if (dissection.stopped()) result.outcome = OrderOutcome::stopped;
-  return result;
+  if (options.tries == 0) throw InputError("options", "no tries", "give at least 1");
+  Dissection dissection(vertex_count(graph), options);
+  dissection.divide({detail::weighted_graph(graph, {}, {}), natural_order(graph)});
+  if (dissection.stopped()) return {by_set(dissection.set_of()), OrderOutcome::stopped};
+  return {detail::constrained_minimum_degree(graph, dissection.set_of()), OrderOutcome::done};
 }
 
 }  // namespace leonhard::graph

@@ -8,7 +8,6 @@
 
 #include "leonhard/graph/fill.hpp"
 #include "leonhard/graph/minimum_degree.hpp"
-#include "leonhard/graph/separator.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 
@@ -18,44 +17,12 @@ using namespace leonhard::graph::test;
 
 namespace {
 
-/// Checks that no edge joins the sides; returns their sizes and the separator's.
-std::array<std::uint32_t, 3> sizes_of(const CsrGraph& graph, const VertexSeparator& found) {
-  std::array<std::uint32_t, 3> sizes{};
-  REQUIRE(found.side_of.size() == vertex_count(graph));
-  for (std::uint32_t v = 0; v < vertex_count(graph); ++v) {
-    REQUIRE(found.side_of[v] <= VertexSeparator::separator);
-    ++sizes[found.side_of[v]];
-    for (const std::uint32_t w : neighbours(graph, v)) CHECK(found.side_of[v] + found.side_of[w] != 1);
-  }
-  CHECK(found.size == sizes[VertexSeparator::separator]);
-  return sizes;
-}
-
 bool is_permutation_of_all(const CsrGraph& graph, std::vector<std::uint32_t> order) {
   std::ranges::sort(order);
   return order == natural_order(graph);
 }
 
 }  // namespace
-
-TEST_CASE("a_grid_is_separated_along_its_shorter_side") {
-  const CsrGraph graph = renamed(grid(9, 40), random_order(360, 4));
-  const auto sizes = sizes_of(graph, vertex_separator(graph, {.largest_side = 0.6, .tries = 8}));
-  CHECK(sizes[2] == 9);
-  CHECK(std::max(sizes[0], sizes[1]) <= 216);
-}
-
-TEST_CASE("separators_keep_the_sides_limit_on_graphs_of_every_kind") {
-  for (const CsrGraph& graph :
-       {path(2), path(50), cycle(30), star(40), complete(12), random_mesh_graph(30, 20, 3),
-        random_graph(60, 20, 1), disjoint_union({grid(8, 8), grid(5, 5), path(9), path(1)})}) {
-    const auto sizes = sizes_of(graph, vertex_separator(graph, {.largest_side = 0.67}));
-    CHECK(std::max(sizes[0], sizes[1]) <= std::max(1.0, 0.67 * vertex_count(graph)));
-  }
-  CHECK(vertex_separator(path(0)).side_of.empty());
-  CHECK_THROWS_AS(static_cast<void>(vertex_separator(path(3), {.largest_side = 0.5})), InputError);
-  CHECK_THROWS_AS(static_cast<void>(vertex_separator(path(3), {.tries = 0})), InputError);
-}
 
 TEST_CASE("a_path_is_dissected_with_less_fill_than_its_length") {
   const CsrGraph graph = renamed(path(1000), random_order(1000, 2));
@@ -68,6 +35,20 @@ TEST_CASE("nested_dissection_fills_a_large_mesh_less_than_minimum_degree") {
   const CsrGraph graph = renamed(grid(70, 70), random_order(4900, 7));
   const auto dissected = cholesky_fill(graph, nested_dissection(graph).order);
   CHECK(dissected.nonzeros < cholesky_fill(graph, minimum_degree(graph)).nonzeros);
+}
+
+TEST_CASE("components_are_dissected_one_by_one") {
+  const CsrGraph graph = disjoint_union({grid(20, 20), path(7), grid(30, 5), path(1)});
+  const OrderResult found = nested_dissection(graph, {.leaf = 20});
+  CHECK(is_permutation_of_all(graph, found.order));
+  CHECK(found.outcome == OrderOutcome::done);
+  const auto alone = [](const CsrGraph& part) {
+    return cholesky_fill(part, nested_dissection(part, {.leaf = 20}).order).nonzeros;
+  };
+  const auto together = static_cast<double>(cholesky_fill(graph, found.order).nonzeros);
+  CHECK(together == doctest::Approx(static_cast<double>(alone(grid(20, 20)) + alone(path(7)) +
+                                                        alone(grid(30, 5)) + alone(path(1))))
+                        .epsilon(0.1));  // random sequences differ
 }
 
 TEST_CASE("minimum_degree_under_a_constraint_keeps_the_sequence_of_sets") {
@@ -101,4 +82,5 @@ TEST_CASE("a_stopped_dissection_is_still_an_ordering") {
   CHECK(found.outcome == OrderOutcome::stopped);
   CHECK(is_permutation_of_all(graph, found.order));
   CHECK_THROWS_AS(static_cast<void>(nested_dissection(graph, {.leaf = 0})), InputError);
+  CHECK_THROWS_AS(static_cast<void>(nested_dissection(graph, {.tries = 0})), InputError);
 }

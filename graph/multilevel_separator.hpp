@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+
+#include "leonhard/graph/kway_graph.hpp"
+#include "leonhard/graph/kway_random.hpp"
+#include "leonhard/graph/separator_fm.hpp"
+
+namespace leonhard::graph::detail {
+
+/// A separator and what it is worth.
+struct FoundSeparator {
+  Sides side;
+  SeparatorQuality quality{};
+};
+
+/// The best of several separators of a connected graph with weights.
+///
+/// largest_side  of the graph's weight, above 1/2
+/// tries         at least 1. Large graphs are coarsened once to a size at which many tries cost little.
+/// Method: as vertex_separator.
+[[nodiscard]] FoundSeparator multilevel_separator(const KwayGraph& graph, double largest_side,
+                                                  std::uint32_t tries, Random& random,
+                                                  const std::stop_token& stop);
+
+}  // namespace leonhard::graph::detail
