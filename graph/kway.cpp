@@ -159,19 +159,19 @@ class Partitioner {
 
 KwaySettings settings_of(Effort effort) {
   KwaySettings settings;
-  settings.finest.searches = 2;
-  settings.finest.reach = 2;
+  settings.finest = {.patience = 5, .searches = 2, .flows = 2, .reach = 4};
   switch (effort) {
     case Effort::low:
       settings.coarsest = 200;
       settings.bisection.repeats = 1;
-      settings.coarse.flows = settings.finest.flows = 1;
+      settings.finest.flows = 1;
+      settings.finest.reach = 2;
       break;
     case Effort::normal:
       break;
     case Effort::high:
-      settings.bisection.repeats = 10;
-      settings.coarse = settings.finest = {15, 5, 5, 8};
+      settings.bisection = {.coarsest = 80, .tries = 10, .repeats = 10};
+      settings.coarse = settings.finest = {.patience = 15, .searches = 5, .flows = 5, .reach = 8};
       settings.population = 8;
       settings.combinations = 40;
       break;

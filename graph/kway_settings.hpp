@@ -9,22 +9,22 @@ namespace leonhard::graph::detail {
 
 /// How a graph is halved.
 struct BisectionSettings {
-  std::uint32_t coarsest = 80;  ///< vertices of the coarsest level
-  std::uint32_t tries = 10;     ///< bisections grown there, of which the best is kept
-  std::uint32_t repeats = 4;    ///< whole multilevel bisections, of which the best is kept
+  std::uint32_t coarsest = 120;  ///< vertices of the coarsest level
+  std::uint32_t tries = 4;       ///< bisections grown there, of which the best is kept
+  std::uint32_t repeats = 4;     ///< whole multilevel bisections, of which the best is kept
 };
 
 /// How a partition is refined on one level.
 struct RefinementSettings {
-  std::uint32_t patience = 5;  ///< moves without a better cut that end a local search
+  std::uint32_t patience = 3;  ///< moves without a better cut that end a local search
   std::uint32_t searches = 3;  ///< rounds of local searches at most
-  std::uint32_t flows = 2;     ///< rounds of flows at most
-  double reach = 4;            ///< of the flows, see KwayFlow::round
+  std::uint32_t flows = 1;     ///< rounds of flows at most
+  double reach = 3;            ///< of the flows, see KwayFlow::round
 };
 
 /// How hard the multilevel k-way partitioner tries.
 struct KwaySettings {
-  std::uint32_t coarsest = 500;          ///< the coarsest level has this many vertices,
+  std::uint32_t coarsest = 1000;         ///< the coarsest level has this many vertices,
   std::uint32_t coarsest_per_part = 30;  ///< or this many a part if that is more
   BisectionSettings bisection;
   std::uint32_t coarse_population = 1;    ///< partitions of the coarsest level made independently
