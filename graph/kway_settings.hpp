@@ -25,7 +25,7 @@ struct RefinementSettings {
 /// How hard the multilevel k-way partitioner tries.
 struct KwaySettings {
   std::uint32_t coarsest = 1000;         ///< the coarsest level has this many vertices,
-  std::uint32_t coarsest_per_part = 30;  ///< or this many a part if that is more
+  std::uint32_t coarsest_per_part = 50;  ///< or this many a part if that is more
   BisectionSettings bisection;
   std::uint32_t coarse_population = 1;    ///< partitions of the coarsest level made independently
   std::uint32_t coarse_combinations = 0;  ///< times that two of them are combined into one
