@@ -135,7 +135,8 @@ class ExchangesDiagram {
       for (const graph::Exchange& exchange : cycles[c]) add(diagram, exchange, c);
     for (std::size_t part = 0; part < places_.size(); ++part) {
       diagram.dots.push_back({places_[part], dark, few_parts() ? 2.6 : 1.2});
-      if (few_parts()) diagram.words.push_back({places_[part], std::to_string(part), {0.9, -0.7}, dark});
+      if (few_parts())
+        diagram.words.push_back({places_[part], std::to_string(part), outwards(places_[part]), dark});
     }
     if (cycles.size() <= most_legend) add_legend(diagram);
     return diagram;
@@ -143,6 +144,13 @@ class ExchangesDiagram {
 
  private:
   [[nodiscard]] bool few_parts() const { return places_.size() <= most_names; }
+  /// A text height and some, away from the middle of all parts.
+  [[nodiscard]] Vec2 outwards(Point2 place) const {
+    Vec2 sum{};
+    for (const Point2 p : places_) sum = sum + (p - Point2{});
+    const Vec2 from = (place - Point2{}) - 1 / static_cast<double>(places_.size()) * sum;
+    return norm(from) == 0 ? Vec2{0.9, -0.7} : 1.15 / norm(from) * from;
+  }
   [[nodiscard]] bool few_exchanges() const {
     return graph::edge_count(communication_.graph.graph) <= most_lengths;
   }

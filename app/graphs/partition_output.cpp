@@ -55,6 +55,9 @@ void check_partition_output(const PartitionOutput& output, const std::filesystem
   if (extension_of(output.path) == ".vtu" && is_graph_file(input))
     throw InputError(output.path.string(), input.string() + " is a graph: it has no cells for a .vtu",
                      "write .txt, or partition a mesh");
+  if (!is_picture(output.path) && (!output.view.empty() || !output.cut.empty()))
+    throw InputError(output.view.empty() ? "--cut" : "--view", output.path.string() + " is no picture",
+                     "leave the option out, or write .png, .svg or .pdf");
 }
 
 void check_partition_output(const PartitionOutput& output, const AnyGraph& input, GraphOf which,

@@ -18,7 +18,9 @@ struct PartitionOutput {
   std::string cut;           ///< of pictures of tetrahedra: as parse_cut takes it
 };
 
-/// What can be said before the input is read. throws InputError on another extension, or a .vtu of a graph file
+/// What can be said before the input is read.
+///
+/// throws  InputError on another extension, a .vtu of a graph file, or a view or a cut of what is no picture
 void check_partition_output(const PartitionOutput& output, const std::filesystem::path& input);
 
 /// What can be said before the work.

@@ -134,7 +134,8 @@ TEST_CASE("order_refuses_bad_input_and_writes_nothing") {
       {"order beam.mesh -o x.poly", ".poly"},
       {"order cut.mesh -o x.txt", "cut.mesh:4"},
   };
-  for (const auto& [arguments, words] : table) {
+  for (const auto& line : table) {
+    const std::string &arguments = line.first, &words = line.second;
     const auto ran = run(arguments, scratch.path());
     CAPTURE(arguments);
     CAPTURE(ran.err);

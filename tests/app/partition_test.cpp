@@ -118,6 +118,29 @@ TEST_CASE("partition_draws_the_parts_of_meshes_and_of_graphs_with_coordinates") 
     CHECK(std::filesystem::file_size(scratch.path() / picture) > 1000);
 }
 
+TEST_CASE("partition_draws_the_edges_of_a_graph_and_the_cut_ones_dark") {
+  const ScratchFolder scratch;
+  scratch.write("path.graph", path_graph(6));
+  scratch.write("path.xyz", "0 0\n1 0\n2 0\n3 1\n4 0\n5 0\n");
+  const auto strokes = [&](int parts, bool dark) {
+    CHECK(run("partition path.graph --quiet -o path.svg -k " + std::to_string(parts), scratch.path())
+              .exit_code == 0);
+    std::string svg = text_of(scratch.path() / "path.svg");
+    std::erase_if(svg, [](char c) { return c == ' ' || c == '"'; });
+    std::size_t all = 0, of_cut = 0;
+    for (const char* stroke : {"stroke:rgb(", "stroke=rgb("})  // as old and new versions of cairo write
+      for (std::size_t at = svg.find(stroke); at != std::string::npos; at = svg.find(stroke, at + 1)) {
+        ++all;
+        if (svg.compare(at + 7, 14, "rgb(8%,8%,10%)") == 0) ++of_cut;
+      }
+    return dark ? of_cut : all - of_cut;
+  };
+  CHECK(strokes(2, true) == 1);
+  CHECK(strokes(2, false) == 4);
+  CHECK(strokes(6, true) == 5);
+  CHECK(strokes(6, false) == 0);
+}
+
 TEST_CASE("partition_refuses_what_it_cannot_do_and_says_why") {
   const ScratchFolder scratch;
   scratch.write("path.graph", path_graph(5));
@@ -146,6 +169,8 @@ TEST_CASE("partition_refuses_what_it_cannot_do_and_says_why") {
   refused("flat.graph -k 2 -o parts.png --view 1,2", 2, "--view: 2 numbers");
   refused("flat.graph -k 2 -o parts.png --cut x", 2, "--cut");
   CHECK_FALSE(std::filesystem::exists(scratch.path() / "parts.png"));
+  refused("path.graph -k 2 -o parts.txt --view 0,0,1,1", 2, "--view: parts.txt is no picture");
+  refused("beam.mesh -k 2 -o parts.vtu --cut x", 2, "--cut: parts.vtu is no picture");
   refused("path.graph -k 2 --of tetrahedra", 1, "tetrahedra");
   refused("path.graph -k 2 -o parts.docx", 2, ".txt");
   refused("path.graph -k 2 --method inertial", 2, "points for 5 vertices");
