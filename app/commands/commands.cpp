@@ -26,6 +26,7 @@ void add_commands(CLI::App& program, ExitCode& code) {
   add_check(program, code);
   add_draw(program, code);
   add_partition(program, code);
+  add_communicate(program, code);
   add_convert(program, code);
 }
 

@@ -36,6 +36,7 @@ void add_order(CLI::App& program, ExitCode& code);
 void add_check(CLI::App& program, ExitCode& code);
 void add_draw(CLI::App& program, ExitCode& code);
 void add_partition(CLI::App& program, ExitCode& code);
+void add_communicate(CLI::App& program, ExitCode& code);
 void add_convert(CLI::App& program, ExitCode& code);
 
 }  // namespace leonhard::app

@@ -12,6 +12,7 @@
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/app/report/picture_view.hpp"
 #include "leonhard/graph/mesh_graph.hpp"
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/input_error.hpp"
@@ -39,20 +40,6 @@ struct DrawCommand {
   std::string title;
 };
 
-draw::View view_of(const DrawCommand& command) {
-  if (command.view.empty()) return {};
-  if (command.view.size() != 4) {
-    throw InputError("--view", fmt::format("{} numbers for a mesh of the plane", command.view.size()),
-                     "give xmin,ymin,xmax,ymax");
-  }
-  const auto& v = command.view;
-  if (!(v[0] < v[2] && v[1] < v[3])) {
-    throw InputError("--view", fmt::format("{:g},{:g},{:g},{:g} is no rectangle", v[0], v[1], v[2], v[3]),
-                     "give xmin,ymin,xmax,ymax");
-  }
-  return {draw::Box{{v[0], v[1]}, {v[2], v[3]}}};
-}
-
 void draw_named_field(const DrawCommand& command, const TriangleMesh& mesh, const draw::PictureSize& size) {
   if (std::filesystem::path(command.mesh).extension() != ".vtu") {
     throw InputError(command.mesh, "only .vtu files carry fields such as " + command.field,
@@ -70,7 +57,7 @@ void draw_named_field(const DrawCommand& command, const TriangleMesh& mesh, cons
   }
   draw::draw_field(
       command.common.output, mesh, values,
-      {.size = size, .view = view_of(command), .title = command.title, .value_label = command.field});
+      {.size = size, .view = plane_view(command.view), .title = command.title, .value_label = command.field});
 }
 
 /// Options that need a third dimension are not left unused.
@@ -98,13 +85,13 @@ std::vector<std::string> draw_triangles(const DrawCommand& command) {
     const auto parts =
         graph::recursive_spectral_bisection(graph::dual_graph(mesh), command.parts, command.common.seed);
     draw::draw_partition(command.common.output, mesh, parts.part_of, parts.parts,
-                         {.size = size, .view = view_of(command), .title = command.title});
+                         {.size = size, .view = plane_view(command.view), .title = command.title});
   } else {
     const auto fill = command.what == "quality"   ? draw::MeshFill::quality
                       : command.what == "regions" ? draw::MeshFill::region
                                                   : draw::MeshFill::none;
     draw::draw_mesh(command.common.output, mesh,
-                    {.size = size, .view = view_of(command), .title = command.title, .fill = fill});
+                    {.size = size, .view = plane_view(command.view), .title = command.title, .fill = fill});
   }
   return file.warnings;
 }

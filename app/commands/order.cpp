@@ -21,7 +21,9 @@
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/io/number_text.hpp"
+#include "leonhard/mesh/io/tet_mesh_file.hpp"
 #include "leonhard/mesh/permute.hpp"
+#include "leonhard/mesh/tet_permute.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -141,7 +143,8 @@ graph::CsrGraph renumbered(const graph::CsrGraph& graph, const std::vector<std::
   return extract(order);
 }
 
-TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<std::uint32_t>& order) {
+template <class Mesh>
+Mesh renumbered(const Mesh& mesh, const std::vector<std::uint32_t>& order) {
   PerId<VertexId, VertexId> new_of_old(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) new_of_old[VertexId::from(order[i])] = VertexId::from(i);
   return mesh::renumber_vertices(mesh, new_of_old);
@@ -149,7 +152,11 @@ TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<std::uint32_
 
 std::vector<std::string> output_extensions(const AnyGraph& input) {
   std::vector<std::string> known{".txt", ".graph"};
-  if (input.mesh) known.insert(known.end(), io::mesh_extensions().begin(), io::mesh_extensions().end());
+  const auto add = [&](const std::vector<std::string>& some) {
+    known.insert(known.end(), some.begin(), some.end());
+  };
+  if (input.triangles()) add(io::mesh_extensions());
+  if (input.tets()) add(io::tet_mesh_extensions());
   return known;
 }
 
@@ -171,7 +178,8 @@ void write_output(const std::filesystem::path& path, const AnyGraph& input,
   const std::string extension = io::known_extension(path, output_extensions(input), "output");
   if (extension == ".txt") return io::write_file_atomically(path, order_text(order));
   if (extension == ".graph") return graph::write_graph(path, renumbered(input.graph, order));
-  io::write_mesh(path, renumbered(*input.mesh, order));
+  if (const TetMesh* tets = input.tets()) return io::write_tet_mesh(path, renumbered(*tets, order));
+  io::write_mesh(path, renumbered(*input.triangles(), order));
 }
 
 ExitCode order_file(const OrderCommand& command) {
@@ -179,6 +187,8 @@ ExitCode order_file(const OrderCommand& command) {
   Console console(command.common.quiet);
   const StopOnSignal signals;
   if (!command.picture.empty()) io::known_extension(command.picture, {".png", ".svg", ".pdf"}, "picture");
+  if (command.cells && is_graph_file(command.input))
+    throw InputError(command.input, "is a graph: it has no cells", "leave out --cells, or give a mesh");
   AnyGraph input = read_any_graph(command.input, command.cells ? GraphOf::cells : GraphOf::vertices);
   check_output(command, input);
   timer.lap("read");
@@ -218,7 +228,10 @@ void add_order(CLI::App& program, ExitCode& code) {
   auto options = std::make_shared<OrderCommand>();
   CLI::App* command = program.add_subcommand(
       "order", "Number a mesh's or graph's vertices for a small bandwidth, envelope or fill");
-  command->add_option("input", options->input, "A mesh, or a graph (.graph .mtx .edges .csv)")->required();
+  command
+      ->add_option("input", options->input,
+                   "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)")
+      ->required();
   std::vector<std::string> names = method_names();
   command->add_option("--start", options->start, "The order that rosen improves")
       ->check(CLI::IsMember(names))

@@ -25,12 +25,6 @@ struct TetDrawing {
   std::uint64_t seed = 1;
 };
 
-/// Style and plane of a cut in words: "" through the middle; "none"; "x" through the middle across x; "x=0.5"; "x<0.5" and
-/// "x>0.5", which name the side removed; "1,0,1,0.3" the plane x + z = 0.3, the side where x + z is larger removed.
-///
-/// throws InputError for other words
-void parse_cut(const std::string& words, const draw::Box3& box, draw::TetPictureOptions& options);
-
 /// Draw the mesh. throws InputError, also for options that are for meshes of the plane; OutputError
 void draw_tets(const TetDrawing& drawing, const TetMesh& mesh);
 

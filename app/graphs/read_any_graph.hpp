@@ -1,38 +1,53 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/graph/graph_file.hpp"
+#include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::app {
 
-/// Which graph of a mesh is meant.
+/// Which graph of a mesh is meant: that of its vertices and edges, or the dual graph of its triangles or tetrahedra.
 enum class GraphOf { vertices, cells };
 
 /// A graph, be it from a file of graphs or that of a mesh.
 struct AnyGraph {
   graph::CsrGraph graph;
   std::vector<Point3>
-      coordinates;  ///< of the graph's vertices (cells: of their centroids); empty if not known
-  std::optional<TriangleMesh> mesh;  ///< where it came from a mesh
+      coordinates;            ///< of the graph's vertices (cells: of their centroids); empty if not known
+  std::uint32_t dimension{};  ///< of the coordinates, 2 or 3; 0 if not known
+  std::variant<std::monostate, TriangleMesh, TetMesh> mesh;  ///< where it came from a mesh
+
+  std::uint32_t weights_each{};                            ///< as graph::GraphFile
+  std::vector<std::int64_t> vertex_weights, edge_weights;  ///< as graph::GraphFile; of meshes none
+
   std::size_t self_loops{}, parallel_edges{};
   std::uint32_t components{};
   std::vector<std::string> warnings;
+
+  [[nodiscard]] const TriangleMesh* triangles() const { return std::get_if<TriangleMesh>(&mesh); }
+  [[nodiscard]] const TetMesh* tets() const { return std::get_if<TetMesh>(&mesh); }
+  [[nodiscard]] bool has_mesh() const { return mesh.index() != 0; }
 };
 
-/// Read a mesh or a graph, format by extension. Coordinates of a graph's vertices come from the .xyz file of its name,
-/// if there is one.
+/// Read a mesh of the plane or of space, or a graph, format by extension. Coordinates of a graph's vertices come from
+/// the .xyz file of its name, if there is one.
 ///
-/// throws  InputError as the readers do, and for the cells of a graph
+/// which   of the graphs of a mesh; a graph file has but one
+/// throws  InputError as the readers do
 [[nodiscard]] AnyGraph read_any_graph(const std::filesystem::path& path, GraphOf which = GraphOf::vertices);
 
-/// Counts of a graph, with which the reports of `order` and `partition` begin.
+/// Whether the extension is that of a graph and not of a mesh.
+[[nodiscard]] bool is_graph_file(const std::filesystem::path& path);
+
+/// Counts of a graph, with which the report of `order` begins.
 [[nodiscard]] Json graph_report(const std::string& input, const AnyGraph& graph);
 
 }  // namespace leonhard::app

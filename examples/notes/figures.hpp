@@ -23,10 +23,13 @@ struct Figure {
   void (*draw)(const std::filesystem::path& file, const std::string& title) = nullptr;
 };
 
-[[nodiscard]] std::vector<Figure> dual_figures();       ///< 1.2.0, 1.3.0, 3.1.0
-[[nodiscard]] std::vector<Figure> graph_figures();      ///< 2.1.0 to 2.3.4
-[[nodiscard]] std::vector<Figure> property_figures();   ///< 3.2.0 to 3.2.3
-[[nodiscard]] std::vector<Figure> algorithm_figures();  ///< 3.3.0 to 3.3.8
+[[nodiscard]] std::vector<Figure> dual_figures();           ///< 1.2.0, 1.3.0, 3.1.0
+[[nodiscard]] std::vector<Figure> orientation_figures();    ///< 2.1.0
+[[nodiscard]] std::vector<Figure> ordering_figures();       ///< 2.2.0 to 2.2.2
+[[nodiscard]] std::vector<Figure> communication_figures();  ///< 2.3.0, 2.3.1
+[[nodiscard]] std::vector<Figure> partition_figures();      ///< 2.3.2 to 2.3.6
+[[nodiscard]] std::vector<Figure> property_figures();       ///< 3.2.0 to 3.2.3
+[[nodiscard]] std::vector<Figure> algorithm_figures();      ///< 3.3.0 to 3.3.8
 
 // ---- what the figures share ----
 

@@ -12,8 +12,10 @@ using leonhard::notes::Figure;
 
 std::vector<Figure> all_figures() {
   std::vector<Figure> all;
-  for (const auto& part : {leonhard::notes::dual_figures(), leonhard::notes::graph_figures(),
-                           leonhard::notes::property_figures(), leonhard::notes::algorithm_figures()})
+  for (const auto& part : {leonhard::notes::dual_figures(), leonhard::notes::orientation_figures(),
+                           leonhard::notes::ordering_figures(), leonhard::notes::communication_figures(),
+                           leonhard::notes::partition_figures(), leonhard::notes::property_figures(),
+                           leonhard::notes::algorithm_figures()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

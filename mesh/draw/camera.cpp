@@ -33,6 +33,20 @@ Vec3 towards_viewer(const View3& view) {
           std::sin(elevation)};
 }
 
+namespace {
+
+Vec3 rightwards(const View3& view) {
+  const double azimuth = view.azimuth_deg * radians;
+  return {-std::sin(azimuth), std::cos(azimuth), 0};
+}
+
+}  // namespace
+
+Point3 seen_from(const View3& view, const Point3& p) {
+  const Vec3 towards = towards_viewer(view), right = rightwards(view), v = p - Point3{};
+  return {dot(right, v), dot(cross(towards, right), v), dot(towards, v)};
+}
+
 Box3 box_of(const TetMesh& mesh) {
   if (mesh.corners.empty()) throw InputError("mesh", "it has no tetrahedron", "there is nothing to draw");
   const Point3 first = mesh.points[mesh.corners.flat().front()[0]];
@@ -78,9 +92,8 @@ Camera::Camera(const Box3& box, const View3& view) {
   unit_ = std::max({half.x, half.y, half.z});
   if (unit_ == 0) unit_ = 1;
 
-  const double azimuth = view.azimuth_deg * radians;
   towards_ = towards_viewer(view);
-  right_ = {-std::sin(azimuth), std::cos(azimuth), 0};
+  right_ = rightwards(view);
   up_ = cross(towards_, right_);
   // The sphere about the box just fills the field of view.
   const double radius = norm(Vec3{half.x / unit_, half.y / unit_, half.z / unit_});

@@ -43,6 +43,10 @@ void check_field(const TriangleMesh& mesh, std::span<const double> values, const
   if (options.bands < 1 || options.bands > 200) {
     throw InputError("bands", std::to_string(options.bands) + " is out of range", "give 1 to 200");
   }
+  if (options.dashed_below && !std::isfinite(*options.dashed_below)) {
+    throw InputError("dashed below", mesh::words(*options.dashed_below) + " is no value",
+                     "give a finite value");
+  }
   if (options.levels.size() > 1000) throw InputError("levels", "there are more than 1000", "give fewer");
   for (std::size_t i = 0; i < options.levels.size(); ++i) {
     if (!std::isfinite(options.levels[i]) || (i > 0 && !(options.levels[i - 1] < options.levels[i]))) {
@@ -129,13 +133,13 @@ void fill_bands_as_paths(Canvas& canvas, const MeshScene& scene, std::span<const
 }
 
 void stroke_contours(Canvas& canvas, const MeshScene& scene, std::span<const double> values,
-                     const Bands& bands) {
+                     const Bands& bands, std::optional<double> dashed_below) {
   canvas.begin_clip(scene.frame().area);
   LineWriter writer(canvas, scene.safe());
   for (std::size_t i = 0; i < bands.levels.size(); ++i) {
     const Pen pen{{0.08, 0.08, 0.12},
                   bands.is_major[i] ? 0.95 : 0.55,
-                  LineStyle::solid,
+                  dashed_below && bands.levels[i] < *dashed_below ? LineStyle::dashed : LineStyle::solid,
                   bands.is_major[i] ? 0.75 : 0.6};
     for (const auto& line : contour(scene, values, bands.levels[i])) {
       for (std::size_t k = 1; k < line.size(); ++k) writer.segment(line[k - 1], line[k]);
@@ -181,7 +185,7 @@ void draw_field(const std::filesystem::path& path, const TriangleMesh& mesh,
     fill_bands_as_image(canvas, scene, vertex_values, bands);
   }
   if (options.show_mesh) stroke_edges(canvas, scene, {0.2, 0.2, 0.25}, 0.5);
-  if (options.contour_lines) stroke_contours(canvas, scene, vertex_values, bands);
+  if (options.contour_lines) stroke_contours(canvas, scene, vertex_values, bands, options.dashed_below);
   stroke_boundary(canvas, scene, 1.8, [](Marker) { return ink; });
   draw_axes(canvas, frame, {options.title, options.x_label, options.y_label});
   draw_colour_bar(canvas, bar, bands, options.value_label);

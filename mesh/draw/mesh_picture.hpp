@@ -56,6 +56,7 @@ struct FieldOptions {
   std::vector<double>
       levels;  ///< or the levels themselves, strictly rising; those beyond the range do not show
   bool contour_lines = true;
+  std::optional<double> dashed_below;  ///< contour lines of levels below this value are dashed
   bool show_mesh = false;
 };
 

@@ -35,6 +35,10 @@ enum class CutStyle {
   planar,    ///< all beyond the plane is removed, what it cuts shows as polygons
 };
 
+/// A point in the axes of a parallel view: x to the right, y up, z towards the viewer, lengths kept. The field of view
+/// plays no part.
+[[nodiscard]] Point3 seen_from(const View3& view, const Point3& p);
+
 enum class Axis3 { x, y, z };
 
 /// The box of the vertices that tetrahedra use. throws InputError if there is no tetrahedron

@@ -71,9 +71,9 @@ TEST_CASE("a_spent_vertex_budget_is_code_3_and_the_mesh_is_still_sound") {
 
 TEST_CASE("help_and_version_are_code_0") {
   const ScratchFolder scratch;
-  for (const char* arguments : {"--help", "--version", "solve --help", "mesh --help", "check --help",
-                                "draw --help", "convert --help", "triangulate --help", "voronoi --help",
-                                "order --help"}) {
+  for (const char* arguments :
+       {"--help", "--version", "solve --help", "mesh --help", "check --help", "draw --help", "convert --help",
+        "triangulate --help", "voronoi --help", "order --help", "partition --help", "communicate --help"}) {
     const auto ran = run(arguments, scratch.path());
     CAPTURE(arguments);
     CHECK(ran.exit_code == 0);

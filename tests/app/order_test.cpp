@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "leonhard/graph/order.hpp"
+#include "tests/app/beam.hpp"
 #include "tests/app/program.hpp"
 
 using leonhard::test::run;
@@ -82,6 +84,28 @@ TEST_CASE("order_renumbers_a_mesh_and_keeps_its_fingerprint") {
   CHECK(text_of(scratch.path() / "vertices.graph").starts_with("4 5\n"));
 }
 
+TEST_CASE("order_renumbers_a_mesh_of_tetrahedra_and_keeps_its_fingerprint") {
+  const ScratchFolder scratch;
+  scratch.write("beam.mesh", leonhard::test::beam(6));
+  for (const char* arguments : {"order beam.mesh --method spectral -o new.vtu --quiet",
+                                "order beam.mesh --method hilbert --cells -o cells.txt --quiet",
+                                "order beam.mesh -o vertices.graph --picture beam.png --quiet"}) {
+    const auto ran = run(arguments, scratch.path());
+    CAPTURE(ran.err);
+    CHECK(ran.exit_code == 0);
+  }
+  const json before = json::parse(run("check beam.mesh --json", scratch.path()).out),
+             after = json::parse(run("check new.vtu --json", scratch.path()).out);
+  CHECK(before["fingerprint"] == after["fingerprint"]);
+  const json cost = json::parse(run("order new.vtu --json --method natural", scratch.path()).out);
+  const json ordered = json::parse(run("order beam.mesh --json --method spectral", scratch.path()).out);
+  CHECK(cost["vertices"] == 28);
+  CHECK(cost["orderings"][0]["bandwidth"] == ordered["orderings"][1]["bandwidth"]);
+  CHECK(text_of(scratch.path() / "vertices.graph").starts_with("28 "));
+  const std::string cells = text_of(scratch.path() / "cells.txt");
+  CHECK(std::count(cells.begin(), cells.end(), '\n') == 36);
+}
+
 TEST_CASE("order_refuses_bad_input_and_writes_nothing") {
   const ScratchFolder scratch;
   scratch.write("path.graph", path_graph);
@@ -91,6 +115,8 @@ TEST_CASE("order_refuses_bad_input_and_writes_nothing") {
   scratch.write("far.graph", path_graph);
   scratch.write("far.xyz", "0 0\n");
   scratch.write("square.su2", square);
+  scratch.write("beam.mesh", leonhard::test::beam(1));
+  scratch.write("cut.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n9\n0 0 0 0\n");
   const std::vector<std::pair<std::string, std::string>> table{
       {"order bad.graph -o x.txt", "bad.graph:2: vertex 1 has an edge to vertex 2"},
       {"order bad.mtx -o x.txt", "bad.mtx:2: the matrix has 2 rows and 3 columns"},
@@ -105,8 +131,11 @@ TEST_CASE("order_refuses_bad_input_and_writes_nothing") {
       {"order path.graph -o x.su2", ".su2"},
       {"order square.su2 --cells -o x.su2", "renumbered by its vertices"},
       {"order path.graph --picture x.bmp", ".bmp"},
+      {"order beam.mesh -o x.poly", ".poly"},
+      {"order cut.mesh -o x.txt", "cut.mesh:4"},
   };
-  for (const auto& [arguments, words] : table) {
+  for (const auto& line : table) {
+    const std::string &arguments = line.first, &words = line.second;
     const auto ran = run(arguments, scratch.path());
     CAPTURE(arguments);
     CAPTURE(ran.err);

@@ -61,6 +61,32 @@ TEST_CASE("contour_lines_run_dark_along_the_levels") {
   CHECK(green(x + 20, y) > 150);
 }
 
+TEST_CASE("contour_lines_below_the_asked_value_are_dashed") {
+  const test::Folder folder;
+  const TriangleMesh mesh = test::unit_square(5);
+  const auto values = test::values_on(mesh, [](Point2 p) { return p.x; });
+  const FieldOptions options{.colour_map = ColourMap::grey, .levels = {0.63, 0.83}, .dashed_below = 0.7};
+  draw_field(folder / "field.png", mesh, values, options);
+  const test::Pixels picture(folder / "field.png");
+  const auto [frame, bar, bands] = layout_of(mesh, values, options);
+  const auto dark_share = [&](double at) {
+    int dark = 0, all = 0;
+    for (double y = 0.1; y < 0.9; y += 0.001, ++all) {
+      const Point2 on = frame.page({at, y});
+      int least = 255;
+      for (int dx = -1; dx <= 1; ++dx)
+        least = std::min(
+            least,
+            static_cast<int>(picture.at(static_cast<int>(on.x) + dx, static_cast<int>(on.y)) >> 8 & 0xFF));
+      dark += least < 90;
+    }
+    return static_cast<double>(dark) / all;
+  };
+  CHECK(dark_share(0.83) == 1);
+  CHECK(dark_share(0.63) > 0.4);
+  CHECK(dark_share(0.63) < 0.8);
+}
+
 TEST_CASE("the_colour_bar_shows_every_band") {
   const test::Folder folder;
   const TriangleMesh mesh = test::unit_square(3);

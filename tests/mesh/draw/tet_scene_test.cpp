@@ -268,3 +268,12 @@ TEST_CASE("painting_in_the_painters_order_shows_the_nearest_facet_everywhere") {
     CHECK(wrong * 200 <= hits);  // what falls between samples
   }
 }
+
+TEST_CASE("a_point_seen_from_a_direction_is_turned_and_not_stretched") {
+  const auto near = [](const Point3& p, const Point3& q) { return distance(p, q) < 1e-12; };
+  CHECK(near(seen_from({.azimuth_deg = 0, .elevation_deg = 0}, {1, 2, 3}), {2, 3, 1}));     // from +x
+  CHECK(near(seen_from({.azimuth_deg = -90, .elevation_deg = 0}, {1, 2, 3}), {1, 3, -2}));  // from -y
+  CHECK(near(seen_from({.azimuth_deg = -90, .elevation_deg = 90}, {1, 2, 3}), {1, 2, 3}));  // from above
+  const Point3 p{0.3, -1.2, 2.5}, q{-4, 0.5, 1};
+  CHECK(distance(seen_from({}, p), seen_from({}, q)) == doctest::Approx(distance(p, q)));
+}

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/app/graphs/communication_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "leonhard/app/graphs/graph_picture.hpp"
+#include "leonhard/mesh/draw/diagram.hpp"
+
+namespace leonhard::app {
+namespace {
+
+constexpr draw::Colour dark{0.1, 0.1, 0.1}, pale{0.70, 0.72, 0.76};
+constexpr std::size_t most_lengths = 60, most_names = 100, most_legend = 16, most_in_a_circle = 100;
+
+/// Eight colours, then the same dashed, then dotted.
+draw::Stroke stroke_of_cycle(std::size_t cycle, double width) {
+  constexpr std::array styles{draw::LineStyle::solid, draw::LineStyle::dashed, draw::LineStyle::dotted};
+  return {draw::line_colour(cycle), width, styles[cycle / 8 % styles.size()]};
+}
+
+std::vector<Point2> in_a_circle(const std::vector<std::size_t>& sequence) {
+  std::vector<Point2> places(sequence.size());
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(sequence.size());
+    places[sequence[i]] = {std::sin(angle), std::cos(angle)};
+  }
+  return places;
+}
+
+std::vector<Point2> in_a_circle(std::size_t count) {
+  std::vector<std::size_t> sequence(count);
+  std::iota(sequence.begin(), sequence.end(), std::size_t{0});
+  return in_a_circle(sequence);
+}
+
+/// The middle of each part's vertices on the page; of a part without any, the middle of all.
+std::vector<Point2> middles(const std::vector<Point3>& places, const graph::Partition& partition) {
+  std::vector<Vec2> sum(partition.parts);
+  std::vector<double> count(partition.parts, 0);
+  Vec2 all{};
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const Vec2 place{places[v].x, places[v].y};
+    sum[partition.part_of[v]] = sum[partition.part_of[v]] + place;
+    ++count[partition.part_of[v]];
+    all = all + place;
+  }
+  std::vector<Point2> result;
+  for (std::size_t part = 0; part < sum.size(); ++part) {
+    const bool empty = count[part] == 0;
+    const double share = 1 / (empty ? static_cast<double>(places.size()) : count[part]);
+    result.push_back(Point2{} + share * (empty ? all : sum[part]));
+  }
+  return result;
+}
+
+/// Whether some two are too near to each other to be told apart: as in meshes that are graded.
+bool are_crowded(const std::vector<Point2>& places) {
+  Point2 low = places.front(), high = low;
+  for (const Point2 p : places) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double near = 0.08 * std::max(high.x - low.x, high.y - low.y);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (distance(places[i], places[k]) <= near) return true;
+  return false;
+}
+
+double middle_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Where they are, or, few and crowded, in a circle in the sequence in which they lie about their median.
+std::vector<Point2> told_apart(const std::vector<Point2>& places) {
+  if (places.size() > most_in_a_circle || !are_crowded(places)) return places;
+  std::vector<double> x, y;
+  for (const Point2 p : places) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+  }
+  const Point2 median{middle_of(x), middle_of(y)};
+  std::vector<std::size_t> sequence(places.size());
+  std::iota(sequence.begin(), sequence.end(), std::size_t{0});
+  std::ranges::stable_sort(sequence, {}, [&](std::size_t i) {
+    const Vec2 from = places[i] - median;
+    return std::atan2(from.x, from.y);  // as in_a_circle runs, from the top clockwise
+  });
+  return in_a_circle(sequence);
+}
+
+/// Triangles in their part's colour, the sides between parts dark.
+draw::Diagram triangles_diagram(const TriangleMesh& mesh, const graph::CsrGraph& dual,
+                                const graph::Partition& partition, const std::string& title) {
+  draw::Diagram diagram;
+  diagram.title = title;
+  const std::vector<std::uint32_t> colour_of = colours_of_parts(dual, partition);
+  const auto part_of = [&](TriangleId t) { return partition.part_of[t.index()]; };
+  std::vector<draw::Diagram::Path> borders;
+  for (const TriangleId t : mesh.corners.ids()) {
+    draw::Diagram::Area area;
+    for (const VertexId v : mesh.corners[t]) area.corners.push_back(mesh.points[v]);
+    area.colour = draw::area_colour(colour_of[part_of(t)]);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const auto across = mesh.neighbours[t][i]; across && part_of(t) < part_of(*across))
+        borders.push_back({{area.corners[(i + 1) % 3], area.corners[(i + 2) % 3]}, {dark, 2}});
+    diagram.areas.push_back(std::move(area));
+  }
+  diagram.add_mesh(mesh, {.colour = pale, .width = mesh.triangle_count() > 5000 ? 0.3 : 0.6});
+  std::ranges::move(borders, std::back_inserter(diagram.paths));
+  return diagram;
+}
+
+/// The communication graph, its parts at given places.
+class ExchangesDiagram {
+ public:
+  ExchangesDiagram(const Communication& communication, std::vector<Point2> places)
+      : communication_(communication), places_(std::move(places)) {}
+
+  [[nodiscard]] draw::Diagram diagram(const std::string& title) const {
+    draw::Diagram diagram;
+    diagram.title = title;
+    const auto& cycles = communication_.schedule.cycles;
+    for (std::size_t c = 0; c < cycles.size(); ++c)
+      for (const graph::Exchange& exchange : cycles[c]) add(diagram, exchange, c);
+    for (std::size_t part = 0; part < places_.size(); ++part) {
+      diagram.dots.push_back({places_[part], dark, few_parts() ? 2.6 : 1.2});
+      if (few_parts())
+        diagram.words.push_back({places_[part], std::to_string(part), outwards(places_[part]), dark});
+    }
+    if (cycles.size() <= most_legend) add_legend(diagram);
+    return diagram;
+  }
+
+ private:
+  [[nodiscard]] bool few_parts() const { return places_.size() <= most_names; }
+  /// A text height and some, away from the middle of all parts.
+  [[nodiscard]] Vec2 outwards(Point2 place) const {
+    Vec2 sum{};
+    for (const Point2 p : places_) sum = sum + (p - Point2{});
+    const Vec2 from = (place - Point2{}) - 1 / static_cast<double>(places_.size()) * sum;
+    return norm(from) == 0 ? Vec2{0.9, -0.7} : 1.15 / norm(from) * from;
+  }
+  [[nodiscard]] bool few_exchanges() const {
+    return graph::edge_count(communication_.graph.graph) <= most_lengths;
+  }
+
+  void add(draw::Diagram& diagram, const graph::Exchange& exchange, std::size_t cycle) const {
+    const Point2 a = places_[exchange.first], b = places_[exchange.second];
+    const draw::Stroke stroke = stroke_of_cycle(cycle, few_parts() ? 2.6 : 1.2);
+    diagram.add_segment(a, b, stroke);
+    if (few_exchanges())
+      diagram.words.push_back({a + 0.5 * (b - a),
+                               fmt::format("{} / {}", exchange.forwards, exchange.backwards),
+                               {0, 0.7},
+                               stroke.colour});
+  }
+
+  /// One line a cycle to the right of the graph: a piece of its line, its number and its longest message.
+  void add_legend(draw::Diagram& diagram) const {
+    Point2 low = places_.front(), high = low;
+    for (const Point2 p : places_) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    double side = std::max(high.x - low.x, high.y - low.y);
+    if (side == 0) side = 1;
+    const double x = high.x + 0.12 * side;
+    const auto& cycles = communication_.schedule.cycles;
+    for (std::size_t c = 0; c < cycles.size(); ++c) {
+      const double y = high.y - 0.06 * side * static_cast<double>(c);
+      std::uint64_t longest = 0;
+      for (const graph::Exchange& exchange : cycles[c])
+        longest = std::max({longest, exchange.forwards, exchange.backwards});
+      diagram.add_segment({x, y}, {x + 0.08 * side, y}, stroke_of_cycle(c, 2.6));
+      diagram.words.push_back(
+          {{x + 0.31 * side, y}, fmt::format("cycle {}, up to {}", c + 1, longest), {}, dark});
+    }
+    if (!cycles.empty())
+      diagram.region = draw::Box{low + -0.08 * side * Vec2{1, 1}, high + side * Vec2{0.66, 0.08}};
+  }
+
+  const Communication& communication_;
+  std::vector<Point2> places_;
+};
+
+std::string exchanges_title(const Communication& communication) {
+  return fmt::format("Communication graph, {} cycles", communication.cost.cycles);
+}
+
+}  // namespace
+
+void draw_communication(const std::filesystem::path& path, const AnyGraph& input, GraphOf which,
+                        const graph::Partition& partition, const Communication& communication,
+                        const std::string& title) {
+  const std::vector<Point3> places = places_on_page(input);
+  if (places.empty()) {
+    const ExchangesDiagram exchanges(communication, in_a_circle(partition.parts));
+    return draw::draw_diagram(path, exchanges.diagram(exchanges_title(communication)));
+  }
+  const std::string parts_title = fmt::format("{} parts", partition.parts);
+  const TriangleMesh* triangles = which == GraphOf::cells ? input.triangles() : nullptr;
+  const std::array panels{triangles ? triangles_diagram(*triangles, input.graph, partition, parts_title)
+                                    : graph_diagram(input, places, partition, parts_title),
+                          ExchangesDiagram(communication, told_apart(middles(places, partition)))
+                              .diagram(exchanges_title(communication))};
+  draw::draw_diagrams(path, panels, 2, title, {2000, 1000});
+}
+
+}  // namespace leonhard::app

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/app/graphs/partition_request.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#ifdef LEONHARD_HAS_METIS
+#include "leonhard/graph/metis.hpp"
+#endif
+#ifdef LEONHARD_HAS_SCOTCH
+#include "leonhard/graph/scotch.hpp"
+#endif
+#include "leonhard/kernel/input_error.hpp"
+
+namespace leonhard::app {
+namespace {
+
+using graph::Effort;
+using graph::PartitionMethod;
+using graph::PartitionOutcome;
+
+constexpr std::array<std::pair<std::string_view, PartitionMethod>, 6> named_methods{{
+    {"coordinate", PartitionMethod::coordinate},
+    {"inertial", PartitionMethod::inertial},
+    {"cuthill-mckee", PartitionMethod::cuthill_mckee},
+    {"cuthill-mckee-levels", PartitionMethod::cuthill_mckee_levels},
+    {"spectral", PartitionMethod::spectral},
+    {"multilevel", PartitionMethod::multilevel},
+}};
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const auto& known : named_methods) names.emplace_back(known.first);
+#ifdef LEONHARD_HAS_METIS
+  names.insert(names.end(), {"metis", "metis-recursive"});
+#endif
+#ifdef LEONHARD_HAS_SCOTCH
+  names.emplace_back("scotch");
+#endif
+  return names;
+}
+
+Effort effort_named(std::string_view name) {
+  return name == "low" ? Effort::low : name == "high" ? Effort::high : Effort::normal;
+}
+
+std::vector<std::uint32_t> as_weights(const std::vector<std::int64_t>& given, const std::string& file) {
+  std::vector<std::uint32_t> weights;
+  for (const std::int64_t weight : given) {
+    if (weight < 1 || weight > std::numeric_limits<std::uint32_t>::max())
+      throw InputError(file, fmt::format("a weight of {}", weight),
+                       "partitions take weights from 1 to 2^32 - 1");
+    weights.push_back(static_cast<std::uint32_t>(weight));
+  }
+  return weights;
+}
+
+}  // namespace
+
+void add_partition_options(CLI::App& command, PartitionRequest& request) {
+  command.add_option("-k,--parts", request.parts, "How many parts")
+      ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()))
+      ->capture_default_str();
+  command.add_option("--method", request.method, "How to find them")
+      ->check(CLI::IsMember(method_names()))
+      ->capture_default_str();
+  command.add_option("--effort", request.effort, "How long the multilevel method tries")
+      ->check(CLI::IsMember({"low", "normal", "high"}))
+      ->capture_default_str();
+  command
+      .add_option("--imbalance", request.imbalance,
+                  "How much heavier than the mean a part may be: 0.03 is 3 %")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      .add_option("--of", request.of,
+                  "What of a mesh is parted: its triangles or tetrahedra, or its vertices")
+      ->check(CLI::IsMember({"cells", "vertices"}))
+      ->capture_default_str();
+  command.add_flag("--connected", request.connected, "Try to have every part in one piece");
+}
+
+Partitioner::Partitioner(const AnyGraph& input, const std::string& source, const PartitionRequest& request,
+                         std::uint64_t seed, Progress progress)
+    : input_(input), method_(request.method) {
+  if (input.weights_each > 1)
+    throw InputError(source, fmt::format("{} weights a vertex", input.weights_each),
+                     "partitions balance one weight a vertex");
+  vertex_weights_ = as_weights(input.vertex_weights, source);
+  edge_weights_ = as_weights(input.edge_weights, source);
+  for (const auto& [name, method] : named_methods)
+    if (name == method_) options_.method = method;
+  options_.effort = effort_named(request.effort);
+  options_.imbalance = request.imbalance;
+  options_.seed = seed;
+  options_.connected = request.connected;
+  options_.vertex_weights = vertex_weights_;
+  options_.edge_weights = edge_weights_;
+  options_.coordinates = std::span<const Point3>(input.coordinates);
+  options_.progress = std::move(progress);
+}
+
+graph::Partition Partitioner::operator()(std::uint32_t parts) const {
+#ifdef LEONHARD_HAS_METIS
+  if (method_ == "metis") return graph::partition_with_metis(input_.graph, parts, options_);
+  if (method_ == "metis-recursive")
+    return graph::partition_with_metis(input_.graph, parts, options_, graph::MetisScheme::recursive);
+#endif
+#ifdef LEONHARD_HAS_SCOTCH
+  if (method_ == "scotch") return graph::partition_with_scotch(input_.graph, parts, options_);
+#endif
+  return graph::partition(input_.graph, parts, options_);
+}
+
+graph::PartitionCost Partitioner::cost_of(const graph::Partition& partition) const {
+  return graph::partition_cost(input_.graph, partition, vertex_weights_, edge_weights_);
+}
+
+const char* word(PartitionOutcome outcome) {
+  switch (outcome) {
+    case PartitionOutcome::done:
+      return "done";
+    case PartitionOutcome::empty_parts:
+      return "empty_parts";
+    case PartitionOutcome::stopped:
+      return "stopped";
+    case PartitionOutcome::unbalanced:
+      return "unbalanced";
+    case PartitionOutcome::disconnected:
+      return "disconnected";
+  }
+  return "";
+}
+
+}  // namespace leonhard::app

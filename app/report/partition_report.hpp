@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "leonhard/app/graphs/partition_request.hpp"
+#include "leonhard/app/report/json.hpp"
+
+namespace leonhard::app {
+
+/// What a partition costs in all and part by part, as the report of `leonhard partition`.
+[[nodiscard]] Json partition_report(const graph::Partition& partition, const graph::PartitionCost& cost,
+                                    const PartitionRequest& request);
+
+/// The same for people: the totals, one a line. The report must have the graph's `vertices` and `edges` too.
+[[nodiscard]] std::string partition_report_text(const Json& report);
+
+}  // namespace leonhard::app
