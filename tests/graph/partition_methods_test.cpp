@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -139,6 +140,27 @@ TEST_CASE("the_multilevel_method_cuts_less_than_the_spectral_one") {
   for (const Effort effort : {Effort::low, Effort::normal}) {
     options.effort = effort;
     CHECK(cut_of(graph, 12, options) < 0.95 * static_cast<double>(spectral));
+  }
+}
+
+TEST_CASE("spectral_bisection_cuts_as_with_eigenvectors_of_a_dense_solver") {
+  struct Reference {
+    CsrGraph graph;
+    double lambda2;
+    std::array<std::size_t, 6>
+        cuts;  // 2, 4, ... 64 parts: LAPACK's dsyev, split at the median, nothing refined
+  };
+  for (const Reference& reference :
+       {Reference{random_mesh_graph(31, 19, 1), 0.0169777944349, {39, 103, 183, 308, 462, 693}},
+        Reference{random_mesh_graph(39, 15, 2), 0.0107614853038, {31, 96, 176, 304, 461, 697}}}) {
+    CHECK(fiedler(reference.graph, {.tolerance = 1e-7}).value ==
+          doctest::Approx(reference.lambda2).epsilon(1e-11).scale(0));
+    for (std::uint32_t level = 0; level < 6; ++level) {
+      const PartitionCost cost =
+          partition_cost(reference.graph, recursive_spectral_bisection(reference.graph, 2U << level));
+      CHECK(cost.cut == reference.cuts[level]);
+      CHECK(cost.largest == cost.smallest);
+    }
   }
 }
 
