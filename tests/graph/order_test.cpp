@@ -8,8 +8,12 @@
 #include <limits>
 #include <stop_token>
 #include <string>
+#include <utility>
 
+#include "leonhard/graph/combined_levels.hpp"
 #include "leonhard/graph/fill.hpp"
+#include "leonhard/graph/king_numbering.hpp"
+#include "leonhard/graph/level_search.hpp"
 #include "leonhard/graph/minimum_degree.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
@@ -52,6 +56,11 @@ CsrGraph shuffled_mesh(std::uint32_t width, std::uint32_t height) {
   return renamed(random_mesh_graph(width, height, 8), random_order((width + 1) * (height + 1), 8));
 }
 
+constexpr OrderMethod stoppable[] = {OrderMethod::rosen,          OrderMethod::gibbs_poole_stockmeyer,
+                                     OrderMethod::gibbs_king,     OrderMethod::king,
+                                     OrderMethod::sloan,          OrderMethod::spectral,
+                                     OrderMethod::minimum_degree, OrderMethod::nested_dissection};
+
 std::uint64_t envelope(const CsrGraph& graph, const std::vector<std::uint32_t>& order) {
   return ordering_cost(graph, order).envelope;
 }
@@ -80,7 +89,7 @@ TEST_CASE("methods_for_small_envelopes_number_a_path_from_end_to_end") {
   const CsrGraph graph = renamed(path(50), random_order(50, 3));
   for (const OrderMethod method :
        {OrderMethod::cuthill_mckee, OrderMethod::reverse_cuthill_mckee, OrderMethod::gibbs_poole_stockmeyer,
-        OrderMethod::king, OrderMethod::sloan, OrderMethod::spectral}) {
+        OrderMethod::gibbs_king, OrderMethod::king, OrderMethod::sloan, OrderMethod::spectral}) {
     OrderOptions options;
     options.method = method;
     CAPTURE(static_cast<int>(method));
@@ -106,6 +115,84 @@ TEST_CASE("sloan_and_the_fiedler_vector_have_smaller_envelopes_than_reverse_cuth
   CHECK(envelope(graph, sloan(graph)) < rcm);
   CHECK(envelope(graph, spectral_order(graph).order) < rcm);
   CHECK(envelope(graph, natural_order(graph)) > 5 * rcm);
+}
+
+namespace {
+
+/// King's rule at every step, by counting: of the front a vertex that brings fewest others to it, the longest there.
+std::vector<std::uint32_t> king_by_counting(const CsrGraph& graph, std::uint32_t root) {
+  std::vector<std::uint32_t> front{root}, order;
+  std::vector<char> reached(vertex_count(graph), 0);
+  reached[root] = 1;
+  const auto brought = [&](std::uint32_t v) {
+    return std::ranges::count_if(neighbours(graph, v), [&](std::uint32_t w) { return reached[w] == 0; });
+  };
+  while (!front.empty()) {
+    const auto next = std::ranges::min_element(front, {}, brought);
+    order.push_back(*next);
+    front.erase(next);
+    for (const std::uint32_t w : neighbours(graph, order.back()))
+      if (std::exchange(reached[w], 1) == 0) front.push_back(w);
+  }
+  return order;
+}
+
+}  // namespace
+
+TEST_CASE("king_follows_his_rule_at_every_step") {
+  for (std::uint64_t seed = 1; seed < 8; ++seed) {
+    const CsrGraph graph = renamed(random_mesh_graph(7, 11, seed), random_order(96, seed));
+    const Progress none;
+    for (const std::uint32_t root : {0U, 17U, 95U}) {
+      detail::StepCounter steps(none, "", 1);
+      CHECK(detail::king_numbering(graph, root, {}, steps) == king_by_counting(graph, root));
+    }
+    std::uint64_t least = envelope(graph, king(graph));
+    for (std::uint32_t root = 0; root < 96; ++root)  // no other end is better by much
+      least =
+          std::min(least, envelope(graph, detail::better_direction(graph, king_by_counting(graph, root))));
+    CHECK(double(envelope(graph, king(graph))) < 1.3 * double(least));
+  }
+}
+
+TEST_CASE("kings_rule_makes_envelopes_smaller") {
+  std::uint64_t rcm = 0, gps = 0, by_levels = 0, free = 0;
+  for (const auto& [width, height] : {std::array{12U, 60U}, std::array{40U, 40U}, std::array{20U, 90U}}) {
+    const CsrGraph graph = shuffled_mesh(width, height);
+    rcm += envelope(graph, reverse_cuthill_mckee(graph));
+    gps += envelope(graph, gibbs_poole_stockmeyer(graph));
+    by_levels += envelope(graph, gibbs_king(graph));
+    free += envelope(graph, king(graph));
+  }
+  CHECK(double(gps) < 1.1 * double(rcm));
+  CHECK(by_levels < gps);
+  CHECK(free < by_levels);
+}
+
+TEST_CASE("levels_of_both_ends_combined_join_neighbours_on_the_same_or_the_next_level") {
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    const CsrGraph graph = renamed(random_mesh_graph(12, 19, seed), random_order(260, seed));
+    const Progress none;
+    detail::StepCounter steps(none, "", 1);
+    const detail::CombinedLevels levels = detail::combined_levels(graph, steps);
+    CHECK(levels.level_of[levels.root] == 0);
+    CHECK(std::ranges::max(levels.level_of) == levels.depth);
+    std::vector<std::uint32_t> size(levels.depth + 1, 0);
+    for (std::uint32_t v = 0; v < 260; ++v) {
+      ++size[levels.level_of[v]];
+      for (const std::uint32_t w : neighbours(graph, v)) CHECK(levels.level_of[w] <= levels.level_of[v] + 1);
+    }
+    detail::LevelSearch search(graph);  // no wider than the levels of its root alone
+    CHECK(search(levels.root) == levels.depth);
+    CHECK(std::ranges::max(size) <= search.width());
+    // Levels are numbered one after another, forwards or, as a whole, backwards.
+    for (const std::vector<std::uint32_t>& order : {gibbs_poole_stockmeyer(graph), gibbs_king(graph)}) {
+      std::vector<std::uint32_t> sequence;
+      for (const std::uint32_t v : order) sequence.push_back(levels.level_of[v]);
+      if (sequence.front() != 0) std::ranges::reverse(sequence);
+      CHECK(std::ranges::is_sorted(sequence));
+    }
+  }
 }
 
 TEST_CASE("minimum_degree_fills_less_than_any_envelope_method") {
@@ -143,8 +230,9 @@ TEST_CASE("rosen_takes_the_order_it_is_to_improve") {
 TEST_CASE("a_stop_request_ends_orderings_with_a_permutation") {
   std::stop_source source;
   source.request_stop();
-  const CsrGraph mesh = shuffled_mesh(30, 30);
-  for (const OrderMethod method : {OrderMethod::rosen, OrderMethod::spectral}) {
+  const CsrGraph mesh = disjoint_union({shuffled_mesh(30, 30), shuffled_mesh(9, 9), path(1)});
+  for (const OrderMethod method : stoppable) {
+    CAPTURE(static_cast<int>(method));
     OrderOptions options;
     options.method = method;
     options.progress.stop = source.get_token();
@@ -152,6 +240,58 @@ TEST_CASE("a_stop_request_ends_orderings_with_a_permutation") {
     CHECK(result.outcome == OrderOutcome::stopped);
     CHECK(is_permutation_of_all(mesh, result.order));
   }
+}
+
+TEST_CASE("a_stop_request_amid_the_work_ends_it_soon") {
+  const CsrGraph mesh = shuffled_mesh(180, 180);
+  for (const OrderMethod method : {OrderMethod::gibbs_poole_stockmeyer, OrderMethod::gibbs_king,
+                                   OrderMethod::king, OrderMethod::sloan, OrderMethod::minimum_degree}) {
+    CAPTURE(static_cast<int>(method));
+    OrderOptions options;
+    options.method = method;
+    const auto whole = order(mesh, options).order;
+    std::stop_source source;
+    options.progress.stop = source.get_token();
+    double last = 0;
+    options.progress.report = [&](std::string_view, double fraction) {
+      CHECK(fraction >= last);
+      last = fraction;
+      if (fraction > 0.3) source.request_stop();
+    };
+    const OrderResult result = order(mesh, options);
+    CHECK(result.outcome == OrderOutcome::stopped);
+    CHECK(last > 0.3);
+    CHECK(last < 0.4);
+    CHECK(is_permutation_of_all(mesh, result.order));
+    CHECK(result.order != whole);
+  }
+}
+
+TEST_CASE("rosen_is_stopped_whatever_order_it_starts_from") {
+  const CsrGraph mesh = shuffled_mesh(60, 60);
+  for (const OrderMethod start : {OrderMethod::natural, OrderMethod::sloan}) {
+    std::stop_source source;
+    OrderOptions options{.method = OrderMethod::rosen, .start = start};
+    options.progress.stop = source.get_token();
+    options.progress.report = [&](std::string_view, double) { source.request_stop(); };
+    if (start == OrderMethod::natural) source.request_stop();
+    const OrderResult result = order(mesh, options);
+    CHECK(result.outcome == OrderOutcome::stopped);
+    CHECK(is_permutation_of_all(mesh, result.order));
+  }
+}
+
+TEST_CASE("a_stop_between_two_choices_keeps_the_first") {
+  const CsrGraph mesh = shuffled_mesh(60, 60);
+  const std::vector<SloanWeights> first{{1, 2}}, both{{1, 2}, {16, 1}};
+  std::stop_source source;
+  Progress progress{[&](std::string_view, double fraction) {
+                      if (fraction > 0.5) source.request_stop();
+                    },
+                    source.get_token()};
+  const OrderResult result = sloan(mesh, both, progress);
+  CHECK(result.outcome == OrderOutcome::stopped);
+  CHECK(result.order == sloan(mesh, first));
 }
 
 TEST_CASE("hilbert_wants_one_finite_point_a_vertex_and_follows_them") {
