@@ -12,7 +12,8 @@
 namespace leonhard::graph::detail {
 namespace {
 
-/// A heap with outdated entries, which are passed over: a vertex's count of inactive neighbours only falls.
+/// A heap with outdated entries: a vertex's count of inactive neighbours only falls, so that its last entry comes first,
+/// and those that come when it is numbered are passed over.
 class KingNumbering {
  public:
   KingNumbering(const CsrGraph& graph, std::span<const std::uint32_t> level_of)
@@ -77,9 +78,9 @@ class KingNumbering {
   std::uint32_t next(std::size_t current) {
     Level& level = waiting_[current];
     while (!level.front.empty()) {
-      const auto [inactive, arrival, v] = level.front.top();
+      const std::uint32_t v = std::get<2>(level.front.top());
       level.front.pop();
-      if (numbered_[v] == 0 && inactive == inactive_neighbours_[v]) return v;
+      if (numbered_[v] == 0) return v;
     }
     while (arrival_[level.members[level.first_inactive]] != not_arrived) ++level.first_inactive;
     const std::uint32_t v = level.members[level.first_inactive];
