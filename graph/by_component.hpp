@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
+#include "leonhard/graph/ordering.hpp"
+#include "leonhard/graph/step_counter.hpp"
 
 namespace leonhard::graph::detail {
 
@@ -32,6 +34,23 @@ std::vector<std::uint32_t> order_by_component(const CsrGraph& graph, const Order
       order.push_back(vertices[v]);
   }
   return order;
+}
+
+/// The same with a stop: what a method leaves out of an order follows by index.
+///
+/// order_connected  (const CsrGraph& connected, StepCounter& steps) -> order, cut short if steps was stopped
+template <class OrderConnected>
+OrderResult order_by_component(const CsrGraph& graph, StepCounter& steps,
+                               const OrderConnected& order_connected) {
+  OrderResult result;
+  result.order = order_by_component(graph, [&](const CsrGraph& connected, const auto&) {
+    std::vector<std::uint32_t> order;
+    if (steps.goes_on()) order = order_connected(connected, steps);
+    append_missing(order, natural_order(connected));
+    return order;
+  });
+  if (steps.stopped()) result.outcome = OrderOutcome::stopped;
+  return result;
 }
 
 }  // namespace leonhard::graph::detail

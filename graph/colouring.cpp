@@ -58,13 +58,16 @@ Colouring colour_vertices(const CsrGraph& graph) {
 Colouring colour_edges_greedily(const CsrGraph& graph) {
   const auto edges = edges_of(graph);
   Colouring result{0, std::vector<std::uint32_t>(edges.size(), uncoloured)};
-  std::vector<std::vector<std::uint32_t>> at(vertex_count(graph));  // colours of the edges at a vertex
+  std::vector<std::size_t> row(vertex_count(graph) + std::size_t{1}, 0);  // where a vertex's colours begin
+  for (std::uint32_t v = 0; v < vertex_count(graph); ++v) row[v + std::size_t{1}] = row[v] + degree(graph, v);
+  std::vector<std::size_t> end_of(row.begin(), row.end() - 1);
+  std::vector<std::uint32_t> colours_at(row.back());
   FirstFree free;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     for (const std::uint32_t end : edges[e])
-      for (const std::uint32_t colour : at[end]) free.take(colour);
+      for (std::size_t k = row[end]; k < end_of[end]; ++k) free.take(colours_at[k]);
     const std::uint32_t colour = free.find();
-    for (const std::uint32_t end : edges[e]) at[end].push_back(colour);
+    for (const std::uint32_t end : edges[e]) colours_at[end_of[end]++] = colour;
     result.colour_of[e] = colour;
     result.colours = std::max(result.colours, colour + 1);
   }

@@ -88,6 +88,10 @@ EigenIterate davidson(const CsrGraph& graph, const FiedlerOptions& options) {
   for (std::size_t i = 0; i < start_vectors; ++i) {
     std::vector<double> start = random_vector(n, random);
     remove_mean(start);
+    if (options.stop.stop_requested()) {  // no time for a cycle
+      scale(start, 1 / norm(start));
+      return {FiedlerOutcome::stopped, std::move(start), iterations};
+    }
     expand(start);
   }
   const double floor = residual_floor(graph);

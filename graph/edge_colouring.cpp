@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "leonhard/graph/colouring.hpp"
+#include "leonhard/graph/step_counter.hpp"
 
 namespace leonhard::graph {
 namespace {
@@ -137,8 +138,8 @@ class MisraGries {
  public:
   MisraGries(const CsrGraph& graph, Colour colours) : colouring_(graph, colours) {}
 
-  std::vector<Colour> run() {
-    for (Edge e = 0; e < colouring_.edge_count(); ++e) colour(e);
+  std::vector<Colour> run(detail::StepCounter& steps) {
+    for (Edge e = 0; e < colouring_.edge_count() && steps.step(); ++e) colour(e);
     return colouring_.all();
   }
 
@@ -196,10 +197,11 @@ class DeltaAttempt {
       : colouring_(graph, colours), random_(seed) {}
 
   /// Whether all edges could be coloured with so many others in the way.
-  bool run(std::size_t patience) {
+  bool run(std::size_t patience, detail::StepCounter& steps) {
     for (Edge e = 0; e < colouring_.edge_count(); ++e) todo_.push_back(e);
     for (std::size_t i = todo_.size(); i > 1; --i) std::swap(todo_[i - 1], todo_[random_() % i]);
     for (std::size_t failures = 0; !todo_.empty();) {
+      if (!steps.step()) return false;
       const Edge e = todo_.back();
       todo_.pop_back();
       if (colour(e)) continue;
@@ -244,10 +246,10 @@ class DeltaAttempt {
   std::vector<Edge> todo_, path_;
 };
 
-std::vector<Colour> colour_bipartite(const CsrGraph& graph, Colour colours) {
+std::vector<Colour> colour_bipartite(const CsrGraph& graph, Colour colours, detail::StepCounter& steps) {
   PartialColouring colouring(graph, colours);
   std::vector<Edge> path;
-  for (Edge e = 0; e < colouring.edge_count(); ++e) {
+  for (Edge e = 0; e < colouring.edge_count() && steps.step(); ++e) {
     const auto [u, v] = colouring.ends(e);
     static_cast<void>(colour_by_path(colouring, e, colouring.free_colour(u), colouring.free_colour(v), path));
   }
@@ -300,21 +302,32 @@ EdgeColouring made(std::vector<Colour> colour_of, Colour colours, EdgeColourCoun
   return result;
 }
 
+/// Of no use if steps was stopped.
+EdgeColouring least_colouring(const CsrGraph& graph, Colour delta, const EdgeColouringOptions& options,
+                              detail::StepCounter& steps) {
+  if (is_bipartite(graph))
+    return made(colour_bipartite(graph, delta, steps), delta, EdgeColourCount::delta, true);
+  const bool impossible = is_overfull(graph, delta);
+  // A failure follows paths of some thousand edges where they are long: the larger the graph, the fewer are allowed.
+  const std::size_t patience = std::clamp<std::size_t>(2'000'000 / vertex_count(graph), 50, 2000);
+  for (std::uint32_t round = 0; !impossible && round < options.rounds && steps.goes_on(); ++round) {
+    DeltaAttempt attempt(graph, delta, options.seed + round);
+    if (attempt.run(patience, steps)) return made(attempt.colours(), delta, EdgeColourCount::delta, true);
+  }
+  return made(MisraGries(graph, delta + 1).run(steps), delta + 1, EdgeColourCount::delta_plus_one,
+              impossible);
+}
+
 }  // namespace
 
 EdgeColouring colour_edges(const CsrGraph& graph, const EdgeColouringOptions& options) {
   const Colour delta = largest_degree(graph);
   if (delta == 0) return made({}, 0, EdgeColourCount::delta, true);
-  if (is_bipartite(graph)) return made(colour_bipartite(graph, delta), delta, EdgeColourCount::delta, true);
-  const bool impossible = is_overfull(graph, delta);
-  // A failure follows paths of some thousand edges where they are long: the larger the graph, the fewer are allowed.
-  const std::size_t patience = std::clamp<std::size_t>(2'000'000 / vertex_count(graph), 50, 2000);
-  for (std::uint32_t round = 0; !impossible && round < options.rounds && !options.stop.stop_requested();
-       ++round) {
-    DeltaAttempt attempt(graph, delta, options.seed + round);
-    if (attempt.run(patience)) return made(attempt.colours(), delta, EdgeColourCount::delta, true);
-  }
-  return made(MisraGries(graph, delta + 1).run(), delta + 1, EdgeColourCount::delta_plus_one, impossible);
+  detail::StepCounter steps(options.progress, "edge colouring", edge_count(graph));
+  EdgeColouring result = least_colouring(graph, delta, options, steps);
+  if (!steps.stopped()) return result;
+  Colouring greedy = colour_edges_greedily(graph);
+  return made(std::move(greedy.colour_of), greedy.colours, EdgeColourCount::stopped, false);
 }
 
 }  // namespace leonhard::graph

@@ -1,49 +1,47 @@
 // SPDX-License-Identifier: MIT
-// Boost.Graph's ordering behind this room's conventions.
-#if defined(__GNUC__) && !defined(__clang__)  // the visitor is copied before its first event sets a member
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <boost/graph/king_ordering.hpp>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-#include <iterator>
+#include <utility>
 
 #include "leonhard/graph/by_component.hpp"
+#include "leonhard/graph/combined_levels.hpp"
+#include "leonhard/graph/king_numbering.hpp"
 #include "leonhard/graph/level_search.hpp"
 #include "leonhard/graph/ordering.hpp"
+#include "leonhard/graph/smallest_envelope.hpp"
 
 namespace leonhard::graph {
 namespace {
 
-template <class T>
-auto by_vertex(const CsrGraph& graph, std::vector<T>& values) {
-  return boost::make_iterator_property_map(values.begin(), boost::get(boost::vertex_index, graph));
-}
-
-std::vector<std::uint32_t> degrees(const CsrGraph& graph) {
-  std::vector<std::uint32_t> result(vertex_count(graph));
-  for (std::uint32_t v = 0; v < result.size(); ++v) result[v] = degree(graph, v);
-  return result;
-}
-
-std::vector<std::uint32_t> king_connected(const CsrGraph& graph) {
+std::vector<std::uint32_t> from_both_ends(const CsrGraph& graph, detail::StepCounter& steps) {
   detail::LevelSearch search(graph);
-  const std::uint32_t root =
-      detail::pseudo_peripheral(graph, search, detail::vertices_by_degree(graph).front());
-  std::vector<std::uint32_t> order, degree_of = degrees(graph);
-  std::vector<boost::default_color_type> colour(vertex_count(graph));
-  boost::king_ordering(graph, root, std::back_inserter(order), by_vertex(graph, colour),
-                       by_vertex(graph, degree_of), boost::get(boost::vertex_index, graph));
-  return detail::better_direction(graph, std::move(order));
+  const detail::PseudoDiameter ends =
+      detail::pseudo_diameter(graph, search, detail::vertices_by_degree(graph).front(), steps);
+  detail::SmallestEnvelope best(graph);
+  for (const std::uint32_t root : {ends.from, ends.to})
+    if (steps.goes_on()) best.offer(detail::king_numbering(graph, root, {}, steps));
+  return best.take();
+}
+
+std::vector<std::uint32_t> by_levels(const CsrGraph& graph, detail::StepCounter& steps) {
+  const detail::CombinedLevels levels = detail::combined_levels(graph, steps);
+  detail::SmallestEnvelope best(graph);
+  if (steps.goes_on()) best.offer(detail::king_numbering(graph, levels.root, levels.level_of, steps));
+  return best.take();
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> king(const CsrGraph& graph) {
-  return detail::order_by_component(
-      graph, [](const CsrGraph& connected, const auto&) { return king_connected(connected); });
+std::vector<std::uint32_t> king(const CsrGraph& graph) { return king(graph, Progress{}).order; }
+
+OrderResult king(const CsrGraph& graph, const Progress& progress) {
+  detail::StepCounter steps(progress, "king", std::size_t{2} * vertex_count(graph));
+  return detail::order_by_component(graph, steps, from_both_ends);
+}
+
+std::vector<std::uint32_t> gibbs_king(const CsrGraph& graph) { return gibbs_king(graph, Progress{}).order; }
+
+OrderResult gibbs_king(const CsrGraph& graph, const Progress& progress) {
+  detail::StepCounter steps(progress, "gibbs-king", vertex_count(graph));
+  return detail::order_by_component(graph, steps, by_levels);
 }
 
 }  // namespace leonhard::graph

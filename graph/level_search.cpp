@@ -86,13 +86,15 @@ std::vector<std::uint32_t> one_of_each_degree(const CsrGraph& graph,
 
 }  // namespace
 
-PseudoDiameter pseudo_diameter(const CsrGraph& graph, LevelSearch& search, std::uint32_t start) {
+PseudoDiameter pseudo_diameter(const CsrGraph& graph, LevelSearch& search, std::uint32_t start,
+                               StepCounter& steps) {
   PseudoDiameter result{start, start, search(start)};
   bool deeper = true;
   while (deeper) {
     deeper = false;
     std::uint32_t narrowest = std::numeric_limits<std::uint32_t>::max();
     for (const std::uint32_t candidate : one_of_each_degree(graph, search.last_level())) {
+      if (!steps.goes_on()) return result;
       if (const std::uint32_t depth = search(candidate); depth > result.depth) {
         result = {candidate, candidate, depth};
         deeper = true;  // its last level is at hand

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
+#include "leonhard/graph/step_counter.hpp"
 
 /// Breadth-first level structures, on which half of the orderings stand; not for callers outside this room.
 namespace leonhard::graph::detail {
@@ -59,7 +60,10 @@ struct PseudoDiameter {
 };
 
 /// Of start's component. Of the last level one vertex of each degree is tried.
+///
+/// steps  asked before each search; once stopped the ends are any two vertices
 /// Method: Gibbs, Poole and Stockmeyer, SIAM J. Numer. Anal. 13 (1976) 236-250, algorithm I.
-[[nodiscard]] PseudoDiameter pseudo_diameter(const CsrGraph& graph, LevelSearch& search, std::uint32_t start);
+[[nodiscard]] PseudoDiameter pseudo_diameter(const CsrGraph& graph, LevelSearch& search, std::uint32_t start,
+                                             StepCounter& steps);
 
 }  // namespace leonhard::graph::detail

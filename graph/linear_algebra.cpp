@@ -45,11 +45,13 @@ SparseMatrix transpose(const SparseMatrix& a) {
   return t;
 }
 
-SparseMatrix multiply(const SparseMatrix& a, const SparseMatrix& b) {
+SparseMatrix multiply(const SparseMatrix& a, const SparseMatrix& b, const std::stop_token& stop) {
+  constexpr std::uint32_t between_looks = 4096;
   SparseMatrix c;
   c.columns = b.columns;
   RowAccumulator row_sum(b.columns);
   for (std::uint32_t row = 0; row < a.rows(); ++row) {
+    if (row % between_looks == 0 && stop.stop_requested()) break;
     for (std::size_t k = a.start[row]; k < a.start[row + std::size_t{1}]; ++k) {
       const std::size_t middle = a.column[k];
       for (std::size_t l = b.start[middle]; l < b.start[middle + 1]; ++l)

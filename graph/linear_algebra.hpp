@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
@@ -25,7 +26,9 @@ struct SparseMatrix {
 /// D - A, the diagonal first in each row.
 [[nodiscard]] SparseMatrix laplacian(const CsrGraph& graph);
 [[nodiscard]] SparseMatrix transpose(const SparseMatrix& a);
-[[nodiscard]] SparseMatrix multiply(const SparseMatrix& a, const SparseMatrix& b);
+/// stop  asked every few thousand rows; those after a request are left out
+[[nodiscard]] SparseMatrix multiply(const SparseMatrix& a, const SparseMatrix& b,
+                                    const std::stop_token& stop = {});
 /// y = A x
 void multiply(const SparseMatrix& a, std::span<const double> x, std::span<double> y);
 

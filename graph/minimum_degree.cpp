@@ -77,14 +77,14 @@ class QuotientGraph {
     }
   }
 
-  /// Eliminates a set and appends its sequence to the order.
-  void eliminate_set(std::span<const Vertex> set, Vertices& order) {
+  /// Eliminates a set and appends its sequence to the order; stopped, the set and all that follow stay incomplete.
+  void eliminate_set(std::span<const Vertex> set, Vertices& order, detail::StepCounter& steps) {
     if (set.empty()) return;
     current_set_ = set_of_[set.front()];
     const std::size_t end = order.size() + set.size();
     for (std::size_t k = set.size(); k-- > 0;)
       if (is_alive(set[k])) lists_.add(set[k], degree_[set[k]]);
-    while (order.size() < end) {
+    while (order.size() < end && steps.step()) {
       const Vertex pivot = lists_.take();
       eliminate(pivot);
       append_with_followers(pivot, order);
@@ -271,11 +271,27 @@ class QuotientGraph {
 }  // namespace
 
 std::vector<std::uint32_t> minimum_degree(const CsrGraph& graph) {
-  return detail::constrained_minimum_degree(graph, Vertices(vertex_count(graph), 0));
+  return minimum_degree(graph, Progress{}).order;
+}
+
+OrderResult minimum_degree(const CsrGraph& graph, const Progress& progress) {
+  detail::StepCounter steps(progress, "minimum degree", vertex_count(graph));
+  OrderResult result;
+  result.order = detail::constrained_minimum_degree(graph, Vertices(vertex_count(graph), 0), steps);
+  if (steps.stopped()) result.outcome = OrderOutcome::stopped;
+  return result;
 }
 
 std::vector<std::uint32_t> detail::constrained_minimum_degree(const CsrGraph& graph,
                                                               std::span<const std::uint32_t> set_of) {
+  const Progress none_wanted;
+  StepCounter steps(none_wanted, "", vertex_count(graph));
+  return constrained_minimum_degree(graph, set_of, steps);
+}
+
+std::vector<std::uint32_t> detail::constrained_minimum_degree(const CsrGraph& graph,
+                                                              std::span<const std::uint32_t> set_of,
+                                                              StepCounter& steps) {
   const std::uint32_t sets = set_of.empty() ? 0 : std::ranges::max(set_of) + 1;
   std::vector<std::uint32_t> start(sets + std::size_t{1}, 0);
   for (const std::uint32_t set : set_of) ++start[set + std::size_t{1}];
@@ -287,8 +303,9 @@ std::vector<std::uint32_t> detail::constrained_minimum_degree(const CsrGraph& gr
   QuotientGraph quotient(graph, set_of);
   Vertices order;
   order.reserve(members.size());
-  for (std::uint32_t set = 0; set < sets; ++set)
-    quotient.eliminate_set(std::span(members).subspan(start[set], start[set + 1] - start[set]), order);
+  for (std::uint32_t set = 0; set < sets && steps.goes_on(); ++set)
+    quotient.eliminate_set(std::span(members).subspan(start[set], start[set + 1] - start[set]), order, steps);
+  append_missing(order, members);
   return order;
 }
 

@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "leonhard/graph/mesh_graph.hpp"
+#include "leonhard/graph/ordering.hpp"
+#include "leonhard/graph/step_counter.hpp"
 
 namespace leonhard::graph {
 
@@ -17,6 +18,7 @@ namespace leonhard::graph {
 /// Method: Amestoy, Davis and Duff, SIAM J. Matrix Anal. Appl. 17 (1996) 886-905: quotient graph, element absorption,
 /// mass elimination, indistinguishable vertices.
 [[nodiscard]] std::vector<std::uint32_t> minimum_degree(const CsrGraph& graph);
+OrderResult minimum_degree(const CsrGraph& graph, const Progress& progress);
 
 namespace detail {
 
@@ -28,6 +30,12 @@ namespace detail {
 /// the set: Pellegrini, Roman and Amestoy, Concurrency 12 (2000) 69-84.
 [[nodiscard]] std::vector<std::uint32_t> constrained_minimum_degree(const CsrGraph& graph,
                                                                     std::span<const std::uint32_t> set_of);
+
+/// steps  one a vertex eliminated, not counting those eliminated with it; once stopped, what is left of each set is
+///        numbered by index
+[[nodiscard]] std::vector<std::uint32_t> constrained_minimum_degree(const CsrGraph& graph,
+                                                                    std::span<const std::uint32_t> set_of,
+                                                                    StepCounter& steps);
 
 }  // namespace detail
 }  // namespace leonhard::graph

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace leonhard::graph::detail {
 namespace {
@@ -137,10 +138,15 @@ MultilevelCycle::MultilevelCycle(const CsrGraph& graph, const std::stop_token& s
     const Aggregates groups = aggregate(fine.matrix);
     if (groups.count < 2 || groups.count > 0.8 * n)
       break;  // no longer worth a level: relaxation alone has to do
-    fine.prolongation = smoothed_prolongation(fine.matrix, fine.diagonal, groups);
+    if (stop.stop_requested()) break;
+    SparseMatrix prolongation = smoothed_prolongation(fine.matrix, fine.diagonal, groups);
+    const SparseMatrix product = multiply(fine.matrix, prolongation, stop);
+    if (stop.stop_requested()) break;
+    SparseMatrix coarse = multiply(transpose(prolongation), product, stop);
+    if (stop.stop_requested()) break;
+    fine.prolongation = std::move(prolongation);
     fine.coarse_right.resize(groups.count);
     fine.coarse_solution.resize(groups.count);
-    SparseMatrix coarse = multiply(transpose(fine.prolongation), multiply(fine.matrix, fine.prolongation));
     levels_.push_back({std::move(coarse), {}, {}, {}, {}, {}});
   }
   const Level& last = levels_.back();

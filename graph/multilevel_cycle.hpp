@@ -22,8 +22,8 @@ namespace leonhard::graph::detail {
 /// Cost O(m) to build and to apply for graphs of bounded degree.
 class MultilevelCycle {
  public:
-  /// stop  checked between levels; after a stop request the hierarchy is cut short, which is still a valid
-  /// cycle
+  /// stop  checked between the steps to each level; after a stop request the hierarchy is cut short, which is still a
+  /// valid cycle
   explicit MultilevelCycle(const CsrGraph& graph, const std::stop_token& stop = {});
 
   /// z := approximate solution of L z = r

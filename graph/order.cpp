@@ -55,15 +55,17 @@ OrderResult order(const CsrGraph& graph, const OrderOptions& options) {
     case OrderMethod::reverse_cuthill_mckee:
       return {reverse_cuthill_mckee(graph)};
     case OrderMethod::gibbs_poole_stockmeyer:
-      return {gibbs_poole_stockmeyer(graph)};
+      return gibbs_poole_stockmeyer(graph, options.progress);
+    case OrderMethod::gibbs_king:
+      return gibbs_king(graph, options.progress);
     case OrderMethod::king:
-      return {king(graph)};
+      return king(graph, options.progress);
     case OrderMethod::sloan:
-      return {sloan(graph)};
+      return sloan(graph, options.progress);
     case OrderMethod::spectral:
       return spectral_order(graph, options.seed, options.progress);
     case OrderMethod::minimum_degree:
-      return {minimum_degree(graph)};
+      return minimum_degree(graph, options.progress);
     case OrderMethod::nested_dissection:
       return nested_dissection(graph, {.seed = options.seed, .progress = options.progress});
     case OrderMethod::hilbert:

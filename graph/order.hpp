@@ -19,7 +19,8 @@ enum class OrderMethod {
   cuthill_mckee,           ///< from a vertex of least degree
   reverse_cuthill_mckee,   ///< from a pseudo-peripheral vertex
   gibbs_poole_stockmeyer,  ///< level structures from both ends
-  king,                    ///< Boost.Graph's
+  gibbs_king,              ///< the same levels, numbered for a small envelope
+  king,                    ///< small envelope
   sloan,                   ///< small envelope
   spectral,                ///< by the Fiedler vector
   minimum_degree,          ///< little fill
@@ -38,6 +39,7 @@ inline constexpr std::array named_order_methods{
     NamedOrderMethod{"cuthill-mckee", OrderMethod::cuthill_mckee},
     NamedOrderMethod{"reverse-cuthill-mckee", OrderMethod::reverse_cuthill_mckee},
     NamedOrderMethod{"gibbs-poole-stockmeyer", OrderMethod::gibbs_poole_stockmeyer},
+    NamedOrderMethod{"gibbs-king", OrderMethod::gibbs_king},
     NamedOrderMethod{"king", OrderMethod::king},
     NamedOrderMethod{"sloan", OrderMethod::sloan},
     NamedOrderMethod{"spectral", OrderMethod::spectral},
@@ -57,6 +59,8 @@ struct OrderOptions {
 
 /// An ordering of a graph's vertices by the method of one's choice; the same for the same graph and seed.
 ///
+/// returns  stopped if it was; natural, hilbert and the two Cuthill-McKee methods take less time than a stop would save
+///          and do not ask
 /// throws  InputError if hilbert has not one finite point a vertex, or rosen is to start from itself
 OrderResult order(const CsrGraph& graph, const OrderOptions& options = {});
 

@@ -55,6 +55,14 @@ std::vector<std::uint32_t> detail::better_direction(const CsrGraph& graph, std::
   return order;
 }
 
+void detail::append_missing(std::vector<std::uint32_t>& order, std::span<const std::uint32_t> all) {
+  if (order.size() == all.size()) return;
+  std::vector<char> present(all.size(), 0);
+  for (const std::uint32_t v : order) present[v] = 1;
+  for (const std::uint32_t v : all)
+    if (present[v] == 0) order.push_back(v);
+}
+
 OrderingCost ordering_cost(const CsrGraph& graph, std::span<const std::uint32_t> order) {
   const std::uint32_t n = vertex_count(graph);
   if (order.size() != n) detail::check_order(graph, order);

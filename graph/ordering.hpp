@@ -11,6 +11,17 @@
 namespace leonhard::graph {
 
 // An ordering is a permutation `order` with order[new] = old: the sequence in which old numbers are visited.
+// A method that takes a Progress reports under its name; where it is stopped, what is left is numbered by index.
+
+enum class OrderOutcome {
+  done,
+  stopped  ///< a stop was requested: a valid ordering, not as good as it would have been
+};
+
+struct [[nodiscard]] OrderResult {
+  std::vector<std::uint32_t> order;  ///< order[new] = old
+  OrderOutcome outcome = OrderOutcome::done;
+};
 
 /// A vertex at (nearly) the greatest distance from some other, for a level structure that is deep and narrow.
 ///
@@ -45,6 +56,24 @@ namespace leonhard::graph {
 /// Cost O(n + m log d) and about ten level structures.
 /// Method: Gibbs, Poole and Stockmeyer, SIAM J. Numer. Anal. 13 (1976) 236-250.
 [[nodiscard]] std::vector<std::uint32_t> gibbs_poole_stockmeyer(const CsrGraph& graph);
+OrderResult gibbs_poole_stockmeyer(const CsrGraph& graph, const Progress& progress);
+
+/// The Gibbs-King ordering: the level structure of gibbs_poole_stockmeyer, each level numbered by King's criterion, for
+/// an envelope smaller than that at a bandwidth somewhat larger.
+///
+/// Cost O(m log n) and about ten level structures.
+/// Method: Gibbs, ACM TOMS 2 (1976) 378-387; Lewis, ACM TOMS 8 (1982) 180-189.
+[[nodiscard]] std::vector<std::uint32_t> gibbs_king(const CsrGraph& graph);
+OrderResult gibbs_king(const CsrGraph& graph, const Progress& progress);
+
+/// King's ordering, for a small envelope: next comes always the vertex of the front that brings the fewest others to
+/// the front, the longest there among equals. The better one of two, from both ends of the graph. (Boost.Graph's looks
+/// at the last vertex's neighbours alone, and its envelopes are reverse_cuthill_mckee's.)
+///
+/// Cost O(m log n) and about ten level structures.
+/// Method: King, Int. J. Numer. Meth. Eng. 2 (1970) 523-533; ends: Gibbs, Poole and Stockmeyer (1976).
+[[nodiscard]] std::vector<std::uint32_t> king(const CsrGraph& graph);
+OrderResult king(const CsrGraph& graph, const Progress& progress);
 
 /// What counts in Sloan's priorities: a vertex comes the sooner the farther it is from the end and the fewer rows it
 /// adds to the front.
@@ -63,19 +92,8 @@ struct SloanWeights {
 /// 559-590, Reid and Scott, Int. J. Numer. Meth. Eng. 45 (1999) 1737-1755.
 [[nodiscard]] std::vector<std::uint32_t> sloan(const CsrGraph& graph);
 [[nodiscard]] std::vector<std::uint32_t> sloan(const CsrGraph& graph, std::span<const SloanWeights> choices);
-
-/// King's ordering by Boost.Graph, from a pseudo-peripheral vertex.
-[[nodiscard]] std::vector<std::uint32_t> king(const CsrGraph& graph);
-
-enum class OrderOutcome {
-  done,
-  stopped  ///< a stop was requested: a valid ordering, not as good as it would have been
-};
-
-struct [[nodiscard]] OrderResult {
-  std::vector<std::uint32_t> order;  ///< order[new] = old
-  OrderOutcome outcome = OrderOutcome::done;
-};
+OrderResult sloan(const CsrGraph& graph, const Progress& progress);
+OrderResult sloan(const CsrGraph& graph, std::span<const SloanWeights> choices, const Progress& progress);
 
 struct [[nodiscard]] RosenResult : OrderResult {
   std::uint64_t exchanges{};
@@ -126,6 +144,9 @@ void check_order(const CsrGraph& graph, std::span<const std::uint32_t> order);
 /// The order or its reverse, whichever has the smaller envelope.
 [[nodiscard]] std::vector<std::uint32_t> better_direction(const CsrGraph& graph,
                                                           std::vector<std::uint32_t> order);
+
+/// Appends what an order lacks of all vertices, in their sequence.
+void append_missing(std::vector<std::uint32_t>& order, std::span<const std::uint32_t> all);
 
 }  // namespace detail
 

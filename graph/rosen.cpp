@@ -41,20 +41,19 @@ class Rosen {
       : graph_(graph),
         order_(start.begin(), start.end()),
         number_(invert(start)),
-        edges_(vertex_count(graph)) {
-    for (std::uint32_t v = 0; v < vertex_count(graph); ++v) file_edges_of(v);
-  }
+        edges_(vertex_count(graph)) {}
 
   [[nodiscard]] RosenResult run(const Progress& progress) {
     RosenResult result;
-    while (const auto critical = edges_.widest([&](const Edge& e) { return width(e); })) {
-      if (progress.stop_requested()) {
-        result.outcome = OrderOutcome::stopped;
-        break;
-      }
-      if (!improve(*critical)) break;
+    bool stopped = false;
+    const auto stop = [&] { return stopped = stopped || progress.stop_requested(); };
+    for (std::uint32_t v = 0; v < vertex_count(graph_) && !stop(); ++v) file_edges_of(v);
+    while (!stop()) {
+      const auto critical = edges_.widest([&](const Edge& e) { return width(e); });
+      if (!critical || !improve(*critical)) break;
       ++result.exchanges;
     }
+    if (stopped) result.outcome = OrderOutcome::stopped;
     result.order = std::move(order_);
     return result;
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <limits>
 #include <queue>
 #include <utility>
 
 #include "leonhard/graph/by_component.hpp"
 #include "leonhard/graph/level_search.hpp"
 #include "leonhard/graph/ordering.hpp"
+#include "leonhard/graph/smallest_envelope.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
@@ -28,9 +28,10 @@ class SloanNumbering {
     order_.reserve(vertex_count(graph));
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> from(std::uint32_t root) {
+  /// The order, cut short by a stop.
+  [[nodiscard]] std::vector<std::uint32_t> from(std::uint32_t root, detail::StepCounter& steps) {
     touch(root);
-    while (order_.size() < vertex_count(graph_)) number(next());
+    while (order_.size() < vertex_count(graph_) && steps.step()) number(next());
     return std::move(order_);
   }
 
@@ -81,37 +82,41 @@ class SloanNumbering {
   std::vector<std::uint32_t> order_;
 };
 
-std::vector<std::uint32_t> order_connected(const CsrGraph& graph, std::span<const SloanWeights> choices) {
+std::vector<std::uint32_t> order_connected(const CsrGraph& graph, std::span<const SloanWeights> choices,
+                                           detail::StepCounter& steps) {
   detail::LevelSearch search(graph);
   const detail::PseudoDiameter ends =
-      detail::pseudo_diameter(graph, search, detail::vertices_by_degree(graph).front());
+      detail::pseudo_diameter(graph, search, detail::vertices_by_degree(graph).front(), steps);
   std::vector<std::uint32_t> distance(vertex_count(graph));
   search(ends.to);
   search.write_levels(distance);
-  std::vector<std::uint32_t> best;
-  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-  for (const SloanWeights& weights : choices) {
-    std::vector<std::uint32_t> order =
-        detail::better_direction(graph, SloanNumbering(graph, distance, weights).from(ends.from));
-    const std::uint64_t envelope = ordering_cost(graph, order).envelope;
-    if (envelope >= least) continue;
-    least = envelope;
-    best = std::move(order);
-  }
-  return best;
+  detail::SmallestEnvelope best(graph);
+  for (const SloanWeights& weights : choices)
+    if (steps.goes_on()) best.offer(SloanNumbering(graph, distance, weights).from(ends.from, steps));
+  return best.take();
 }
+
+constexpr std::array usual_choices{SloanWeights{1, 2}, SloanWeights{16, 1}};
 
 }  // namespace
 
-std::vector<std::uint32_t> sloan(const CsrGraph& graph, std::span<const SloanWeights> choices) {
+OrderResult sloan(const CsrGraph& graph, std::span<const SloanWeights> choices, const Progress& progress) {
   if (choices.empty()) throw InputError("choices", "no weights were given", "give at least one pair");
-  return detail::order_by_component(
-      graph, [&](const CsrGraph& connected, const auto&) { return order_connected(connected, choices); });
+  detail::StepCounter steps(progress, "sloan", choices.size() * vertex_count(graph));
+  return detail::order_by_component(graph, steps,
+                                    [&](const CsrGraph& connected, detail::StepCounter& counter) {
+                                      return order_connected(connected, choices, counter);
+                                    });
 }
 
-std::vector<std::uint32_t> sloan(const CsrGraph& graph) {
-  constexpr std::array choices{SloanWeights{1, 2}, SloanWeights{16, 1}};
-  return sloan(graph, choices);
+OrderResult sloan(const CsrGraph& graph, const Progress& progress) {
+  return sloan(graph, usual_choices, progress);
 }
+
+std::vector<std::uint32_t> sloan(const CsrGraph& graph, std::span<const SloanWeights> choices) {
+  return sloan(graph, choices, Progress{}).order;
+}
+
+std::vector<std::uint32_t> sloan(const CsrGraph& graph) { return sloan(graph, usual_choices); }
 
 }  // namespace leonhard::graph

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Orderings beside Boost.Graph's and METIS': same graph, turn and turn about; the shortest turn of each counts.
-//   compare_graph [VERTICES = 1000000] [TURNS = 3]     a triangulation of random points of so many vertices
-//   compare_graph GRAPH...                             graph files
+// Orderings beside Boost.Graph's and METIS': same graph, turn and turn about; the shortest of three turns counts.
+//   compare_graph orderings [SIZE | GRAPH...]     a triangulation of so many random points (10^6), or graph files
+//   compare_graph growth [SIZE | NAME...]         seconds of all methods by size (10^3 10^4 10^5 10^6), or of those
+//                                                 whose names hold one of the words
+//   compare_graph spectral GRAPH...               lambda_2 and the cuts of recursive spectral bisection
+//   compare_graph                                 the first two
 #include <fmt/format.h>
 #include <metis.h>
 
@@ -9,13 +12,17 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/cuthill_mckee_ordering.hpp>
 #include <boost/graph/sloan_ordering.hpp>
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/point_sets.hpp"
@@ -27,6 +34,7 @@
 #include "leonhard/graph/nested_dissection.hpp"
 #include "leonhard/graph/order.hpp"
 #include "leonhard/graph/orientation.hpp"
+#include "leonhard/graph/partition.hpp"
 #include "leonhard/mesh/edges.hpp"
 
 namespace {
@@ -41,11 +49,16 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-CsrGraph mesh_graph(std::size_t vertices) {
+struct MeshGraph {
+  CsrGraph graph;
+  std::vector<Point2> points;
+};
+
+MeshGraph mesh_graph(std::size_t vertices) {
   delaunay::TriangulateOptions options;
   options.threads = 1;
   const TriangleMesh mesh = delaunay::triangulate(benching::uniform_points(vertices), options).mesh;
-  return graph::vertex_graph(mesh, mesh::build_edges(mesh));
+  return {graph::vertex_graph(mesh, mesh::build_edges(mesh)), {mesh.points.begin(), mesh.points.end()}};
 }
 
 // ---- peers ----
@@ -144,6 +157,7 @@ void compare_graph(const std::string& name, const CsrGraph& graph, int turns) {
       {"Leonhard reverse Cuthill-McKee", [&] { return graph::reverse_cuthill_mckee(graph); }},
       {"Boost cuthill_mckee, adjacency list", [&] { return boost_reverse_cuthill_mckee(lists); }},
       {"Boost cuthill_mckee, our rows", [&] { return boost_reverse_cuthill_mckee(graph); }},
+      {"Leonhard King", [&] { return graph::king(graph); }},
       {"Leonhard Sloan", [&] { return graph::sloan(graph); }},
       {"Leonhard spectral", [&] { return graph::spectral_order(graph).order; }},
       {"Leonhard nested dissection", [&] { return graph::nested_dissection(graph).order; }},
@@ -153,52 +167,175 @@ void compare_graph(const std::string& name, const CsrGraph& graph, int turns) {
   compare(graph, contenders, turns);
 }
 
-/// Seconds by size, each method once.
-void show_growth(std::size_t largest) {
-  fmt::print("\nseconds on triangulations of random points\n{:<26}", "");
-  std::vector<std::size_t> sizes;
-  for (std::size_t n = 1000; n <= largest; n *= 10) sizes.push_back(n);
-  std::vector<CsrGraph> graphs;
-  for (const std::size_t n : sizes) {
-    graphs.push_back(mesh_graph(n));
-    fmt::print("{:>10}", n);
+// ---- growth ----
+
+/// Seconds of one method after another by size, each once. A size is left out where what went before makes one expect
+/// more than `patience` seconds.
+class GrowthTable {
+ public:
+  GrowthTable(const std::vector<std::size_t>& sizes, std::vector<std::string> wanted)
+      : wanted_(std::move(wanted)) {
+    fmt::print("\nseconds on triangulations of random points ({} s at most expected)\n{:<36}", patience, "");
+    for (const std::size_t n : sizes) {
+      graphs_.push_back(mesh_graph(n));
+      fmt::print("{:>10}", n);
+    }
+    fmt::print("\n");
   }
-  const auto line = [&](std::string_view name, std::size_t up_to, const auto& work) {
-    fmt::print("\n{:<26}", name);
-    for (std::size_t i = 0; i < sizes.size() && sizes[i] <= up_to; ++i) {
-      fmt::print("{:>10.3f}", seconds_of([&] { work(graphs[i]); }));
+
+  /// exponent  of the growth expected, where less is measured
+  template <class Work>
+  void line(const std::string& name, const Work& work, double exponent = 1) {
+    if (!is_wanted(name)) return;
+    fmt::print("{:<36}", name);
+    double last = 0;
+    for (std::size_t i = 0; i < graphs_.size(); ++i) {
+      if (i > 0 && last * std::pow(size(i) / size(i - 1), exponent) > patience) break;
+      const double before = std::exchange(last, seconds_of([&] { work(graphs_[i]); }));
+      if (i > 0 && before > 0)
+        exponent = std::max(exponent, std::log(last / before) / std::log(size(i) / size(i - 1)));
+      fmt::print("{:>10.3f}", last);
       std::fflush(stdout);
     }
-  };
-  for (const auto& [name, method] : graph::named_order_methods) {
-    if (method == graph::OrderMethod::hilbert || method == graph::OrderMethod::natural) continue;
-    const std::size_t up_to = method == graph::OrderMethod::rosen ? 1000 : largest;
-    line(name, up_to,
-         [&](const CsrGraph& graph) { static_cast<void>(graph::order(graph, {.method = method})); });
+    fmt::print("\n");
   }
-  line("orientation", largest, [](const CsrGraph& graph) { static_cast<void>(graph::orient_planar(graph)); });
-  line("edge colouring", largest,
-       [](const CsrGraph& graph) { static_cast<void>(graph::colour_edges(graph)); });
-  line("greedy edge colouring", largest,
-       [](const CsrGraph& graph) { static_cast<void>(graph::colour_edges_greedily(graph)); });
-  line("vertex colouring", largest,
-       [](const CsrGraph& graph) { static_cast<void>(graph::colour_vertices(graph)); });
-  line("fill by column counts", largest, [](const CsrGraph& graph) {
-    static_cast<void>(graph::cholesky_fill(graph, graph::natural_order(graph)));
-  });
-  fmt::print("\n");
+
+ private:
+  static constexpr double patience = 60;
+
+  [[nodiscard]] bool is_wanted(const std::string& name) const {
+    return wanted_.empty() || std::ranges::any_of(wanted_, [&](const std::string& word) {
+             return name.find(word) != std::string::npos;
+           });
+  }
+
+  [[nodiscard]] double size(std::size_t i) const { return graph::vertex_count(graphs_[i].graph); }
+
+  std::vector<std::string> wanted_;
+  std::vector<MeshGraph> graphs_;
+};
+
+void show_orderings(GrowthTable& table) {
+  for (const auto& [name, method] : graph::named_order_methods)
+    table.line(
+        std::string(name),
+        [method = method](const MeshGraph& mesh) {
+          std::vector<Point3> points;
+          if (method == graph::OrderMethod::hilbert)
+            for (const Point2& p : mesh.points) points.push_back({p.x, p.y, 0});
+          static_cast<void>(graph::order(mesh.graph, {.method = method, .coordinates = points}));
+        },
+        method == graph::OrderMethod::rosen ? 3 : 1);
+}
+
+void show_partitions(GrowthTable& table) {
+  using graph::Effort;
+  using graph::PartitionMethod;
+  struct Line {
+    const char* name;
+    PartitionMethod method;
+    std::uint32_t parts;
+    Effort effort = Effort::normal;
+  };
+  for (const Line& line :
+       {Line{"coordinate, 16 parts", PartitionMethod::coordinate, 16},
+        Line{"inertial, 16 parts", PartitionMethod::inertial, 16},
+        Line{"cuthill-mckee, 16 parts", PartitionMethod::cuthill_mckee, 16},
+        Line{"cuthill-mckee-levels, 16 parts", PartitionMethod::cuthill_mckee_levels, 16},
+        Line{"spectral, 2 parts", PartitionMethod::spectral, 2},
+        Line{"spectral, 16 parts", PartitionMethod::spectral, 16},
+        Line{"multilevel, effort low, 16 parts", PartitionMethod::multilevel, 16, Effort::low},
+        Line{"multilevel, effort normal, 16 parts", PartitionMethod::multilevel, 16, Effort::normal},
+        Line{"multilevel, effort high, 16 parts", PartitionMethod::multilevel, 16, Effort::high}})
+    table.line(line.name, [&](const MeshGraph& mesh) {
+      graph::PartitionOptions options;
+      options.method = line.method;
+      options.effort = line.effort;
+      options.coordinates = std::span<const Point2>(mesh.points);
+      static_cast<void>(graph::partition(mesh.graph, line.parts, options));
+    });
+}
+
+void show_growth(const std::vector<std::size_t>& sizes, const std::vector<std::string>& wanted) {
+  GrowthTable table(sizes, wanted);
+  show_orderings(table);
+  show_partitions(table);
+  const auto line = [&](const char* name, const auto& work) {
+    table.line(name, [&](const MeshGraph& mesh) { static_cast<void>(work(mesh.graph)); });
+  };
+  line("orientation", [](const CsrGraph& graph) { return graph::orient_planar(graph); });
+  line("edge colouring", [](const CsrGraph& graph) { return graph::colour_edges(graph); });
+  line("edge colouring, greedy", [](const CsrGraph& graph) { return graph::colour_edges_greedily(graph); });
+  line("vertex colouring", [](const CsrGraph& graph) { return graph::colour_vertices(graph); });
+  line("fill by column counts",
+       [](const CsrGraph& graph) { return graph::cholesky_fill(graph, graph::natural_order(graph)); });
+}
+
+// ---- spectral ----
+
+void show_spectral(const std::vector<std::string>& files) {
+  fmt::print("{:<24}{:>14}{:>12}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}\n", "spectral bisection", "lambda_2",
+             "residual", 2, 4, 8, 16, 32, 64);
+  for (const std::string& file : files) {
+    const CsrGraph graph = graph::read_graph(file).graph;
+    graph::FiedlerOptions options;
+    options.tolerance = 1e-7;
+    const graph::Fiedler pair = graph::fiedler(graph, options);
+    fmt::print("{:<24}{:>14.8g}{:>12.1e}", std::filesystem::path(file).stem().string(), pair.value,
+               pair.residual);
+    for (std::uint32_t parts = 2; parts <= 64; parts *= 2)
+      fmt::print("{:>7}",
+                 graph::partition_cost(graph, graph::recursive_spectral_bisection(graph, parts)).cut);
+    fmt::print("\n");
+    std::fflush(stdout);
+  }
+}
+
+std::size_t size_named(const std::string& word) {
+  std::size_t size = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), size);
+  return error == std::errc() && end == word.data() + word.size() ? size : 0;
+}
+
+void show_peers(const std::vector<std::string>& words) {
+  constexpr int turns = 3;
+  for (const std::string& word : words)
+    if (const std::size_t size = size_named(word); size > 0)
+      compare_graph("triangulation of random points", mesh_graph(size).graph, turns);
+    else
+      compare_graph(word, graph::read_graph(word).graph, turns);
+}
+
+int run(const std::string& subject, const std::vector<std::string>& words) {
+  if (subject == "growth") {
+    std::vector<std::size_t> sizes;
+    std::vector<std::string> names;
+    for (const std::string& word : words)
+      if (const std::size_t size = size_named(word); size > 2)
+        sizes.push_back(size);
+      else
+        names.push_back(word);
+    show_growth(sizes.empty() ? std::vector<std::size_t>{1000, 10'000, 100'000, 1'000'000} : sizes, names);
+  } else if (subject == "orderings") {
+    show_peers(words.empty() ? std::vector<std::string>{"1000000"} : words);
+  } else if (subject == "spectral" && !words.empty()) {
+    show_spectral(words);
+  } else if (subject.empty()) {
+    return run("orderings", {}) + run("growth", {});
+  } else {
+    return 1;
+  }
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool files = argc > 1 && std::atol(argv[1]) == 0;
-  if (files) {
-    for (int i = 1; i < argc; ++i) compare_graph(argv[i], graph::read_graph(argv[i]).graph, 3);
-    return 0;
-  }
-  const auto n = static_cast<std::size_t>(argc > 1 ? std::atol(argv[1]) : 1'000'000);
-  const int turns = argc > 2 ? std::atoi(argv[2]) : 3;
-  compare_graph("triangulation of random points", mesh_graph(n), turns);
-  show_growth(n);
+  const std::vector<std::string> words(argv + std::min(argc, 2), argv + argc);
+  const int outcome = run(argc > 1 ? argv[1] : "", words);
+  if (outcome != 0)
+    fmt::print(
+        stderr,
+        "usage: compare_graph [orderings [SIZE | GRAPH...] | growth [SIZE | NAME...] | spectral GRAPH...]\n");
+  return outcome;
 }

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <stop_token>
 
 #include "leonhard/graph/orientation.hpp"
 #include "leonhard/mesh/edges.hpp"
@@ -91,6 +92,27 @@ TEST_CASE("edges_of_meshes_are_coloured_for_loops") {
     CHECK(checked(graph).colours ==
           largest_degree(graph));  // planar of degree 7 or more: Sanders and Zhao 2001
   }
+}
+
+TEST_CASE("a_stopped_edge_colouring_is_the_greedy_one_and_says_so") {
+  for (const CsrGraph& graph : {random_mesh_graph(60, 60, 1), grid(70, 70), complete(101)})
+    for (const double when : {0.0, 0.5}) {
+      std::stop_source source;
+      double last = 0;
+      EdgeColouringOptions options;
+      options.progress.stop = source.get_token();
+      options.progress.report = [&](std::string_view stage, double fraction) {
+        CHECK(stage == "edge colouring");
+        last = fraction;
+        if (fraction >= when) source.request_stop();
+      };
+      const EdgeColouring found = colour_edges(graph, options);
+      CHECK(found.count == EdgeColourCount::stopped);
+      CHECK_FALSE(found.certain);
+      CHECK(found.colour_of == colour_edges_greedily(graph).colour_of);
+      CHECK_FALSE(validate_edge_colouring(graph, found));
+      CHECK(last < when + 0.5);
+    }
 }
 
 TEST_CASE("edge_numbers_are_those_of_the_meshs_edge_structure") {

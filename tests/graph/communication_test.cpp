@@ -110,6 +110,29 @@ TEST_CASE("a_schedule_that_is_played_takes_as_long_as_the_cost_model_says") {
   }
 }
 
+TEST_CASE("exchanges_carry_the_message_of_either_direction") {
+  const CommunicationGraph hub = communication_graph(star(7), partition_of(3, {0, 1, 1, 1, 1, 2, 2}));
+  for (const auto& cycle : communication_schedule(hub).cycles)
+    for (const Exchange& e : cycle) {
+      CHECK(e.first == 0);
+      CHECK(e.forwards == 1);
+      CHECK(e.backwards == (e.second == 1 ? 4 : 2));
+    }
+  // The hub in the last part: it is always the second of an exchange, and the busiest.
+  const CommunicationGraph last = communication_graph(star(7), partition_of(4, {3, 0, 0, 0, 1, 1, 2}));
+  CHECK(last.message == std::vector<std::uint64_t>{3, 2, 1, 1, 1, 1});
+  const CommunicationSchedule schedule = communication_schedule(last);
+  std::multiset<std::uint64_t> forwards;
+  for (const auto& cycle : schedule.cycles)
+    for (const Exchange& e : cycle) {
+      CHECK(e.second == 3);
+      CHECK(e.backwards == 1);
+      forwards.insert(e.forwards);
+    }
+  CHECK(forwards == std::multiset<std::uint64_t>{1, 2, 3});
+  CHECK(communication_cost(schedule, {10, 1}).busiest_part_seconds == 30 + 6);
+}
+
 TEST_CASE("bad_partitions_and_costs_are_refused") {
   CHECK_THROWS_AS(static_cast<void>(communication_graph(path(3), partition_of(2, {0, 1}))), InputError);
   CHECK_THROWS_AS(static_cast<void>(communication_graph(path(3), partition_of(2, {0, 1, 2}))), InputError);

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <random>
+#include <span>
 
+#include "leonhard/graph/linear_algebra.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 
@@ -91,7 +94,27 @@ TEST_CASE("fiedler_of_a_graph_in_pieces_is_zero_and_tells_the_first_piece_from_t
   CHECK(pair.residual == 0);
   CHECK(pair.outcome == FiedlerOutcome::converged);
   for (std::size_t i = 0; i < 9; ++i) CHECK((pair.vector[i] > 0) == (i < 3));
+  CHECK(std::accumulate(pair.vector.begin(), pair.vector.end(), 0.0) == doctest::Approx(0));
+  CHECK(std::inner_product(pair.vector.begin(), pair.vector.end(), pair.vector.begin(), 0.0) ==
+        doctest::Approx(1));
   for (const double entry : laplacian_product(graph, pair.vector)) CHECK(entry == doctest::Approx(0));
+}
+
+TEST_CASE("what_is_nearly_in_a_subspace_becomes_orthogonal_to_it_to_rounding") {
+  std::mt19937_64 random(4);
+  std::vector<std::vector<double>> basis;
+  for (int k = 0; k < 3; ++k) {
+    basis.push_back(detail::random_vector(200, random));
+    REQUIRE(detail::orthonormalise(basis.back(), std::span(basis).first(basis.size() - 1)));
+  }
+  std::vector<double> x = detail::random_vector(200, random);
+  detail::scale(x, 1e-9);
+  for (const std::vector<double>& v : basis) detail::add_scaled(x, 3, v);
+  CHECK(detail::orthonormalise(x, basis));
+  for (const std::vector<double>& v : basis) CHECK(std::abs(detail::dot(x, v)) < 1e-14);
+  CHECK(detail::norm(x) == doctest::Approx(1).epsilon(1e-14));
+  std::vector<double> within = basis[1];
+  CHECK_FALSE(detail::orthonormalise(within, basis));
 }
 
 TEST_CASE("hubs_and_trees_do_not_break_the_cycle") {

@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 
@@ -175,6 +178,7 @@ TEST_CASE("coordinates_are_read_with_and_without_a_header") {
   CHECK(scotch.points[0] == Point3{1, 2, 3});
   refuse({{"0 1\n", "t:1: 1 vertices have coordinates, the graph has 2"},
           {"0 1\n2\n", "t:2: the line has 1 coordinates"},
+          {"0.5 \n2 3\n", "t:1"},
           {"0 1\n2 3 4\n", "t:2: the line has 3 coordinates, those before it 2"},
           {"0 1\n2 inf\n", "t:2: \"inf\" is not finite"},
           {"4\n2\n", "t:1: the dimension is 4"},
@@ -182,6 +186,49 @@ TEST_CASE("coordinates_are_read_with_and_without_a_header") {
           {"2\n2\n0 1 1\n0 2 2\n", "t:4: vertex 0 is repeated"},
           {"2\n2\n0 1 1\n2 2 2\n", "t:4: vertex 2 is repeated or does not exist"}},
          [](const char* text) { return parse_coordinates(text, "t", 2); });
+}
+
+TEST_CASE("of_edges_listed_twice_the_first_weight_counts") {
+  const GraphFile list = parse_edge_list("0 1 5\n1 2 4\n0 1 7\n", "t");
+  CHECK(list.edge_weights == Weights{5, 5, 4, 4});
+  CHECK(list.parallel_edges == 1);
+  const GraphFile twice_one_way =
+      parse_matrix_market("%%MatrixMarket matrix coordinate pattern general\n2 2 3\n1 2\n1 2\n2 1\n", "t");
+  CHECK(twice_one_way.parallel_edges == 1);
+  CHECK(edge_count(twice_one_way.graph) == 1);
+}
+
+TEST_CASE("complex_matrices_have_two_values_an_entry") {
+  const GraphFile file = parse_matrix_market(
+      "%%MatrixMarket matrix coordinate complex hermitian\n3 3 2\n2 1 0.5 1\n3 2 0 -1\n", "t");
+  CHECK(edge_count(file.graph) == 2);
+  CHECK_THROWS_AS(static_cast<void>(parse_matrix_market(
+                      "%%MatrixMarket matrix coordinate complex hermitian\n3 3 1\n2 1 0.5\n", "t")),
+                  InputError);
+}
+
+TEST_CASE("graph_files_of_each_format_and_coordinates_beside_them_are_read") {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "leonhard_graph_file_test";
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, const char* text) {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  };
+  const auto metis = write("path.graph", "3 2\n2\n1 3\n2\n");
+  const auto matrix =
+      write("path.mtx", "%%MatrixMarket matrix coordinate pattern symmetric\n3 3 2\n2 1\n3 2\n");
+  const auto list = write("path.edges", "0 1\n1 2\n");
+  for (const auto& file : {metis, matrix, list}) {
+    const CsrGraph graph = read_graph(file).graph;
+    CHECK(edge_count(graph) == 2);
+    CHECK(row(graph, 1) == std::vector<std::uint32_t>{0, 2});
+  }
+  CHECK_FALSE(read_coordinates_beside(metis, 3));
+  write("path.xyz", "0 1\n2 3\n4 5\n");
+  const auto beside = read_coordinates_beside(metis, 3);
+  REQUIRE(beside.has_value());
+  CHECK(beside->points[2] == Point3{4, 5, 0});
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("read_graph_takes_the_format_from_the_extension") {

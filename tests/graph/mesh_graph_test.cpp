@@ -45,6 +45,9 @@ TEST_CASE("validate_finds_a_one_way_edge_and_an_unsorted_row") {
   const auto broken = validate(CsrGraph(boost::edges_are_sorted, one_way.begin(), one_way.end(), 3));
   REQUIRE(broken.has_value());
   CHECK(broken->find("vertex 0 has neighbour 1") != std::string::npos);
+  const std::vector<Arc> loop{{0, 1}, {1, 0}, {1, 1}};
+  CHECK(validate(CsrGraph(boost::edges_are_sorted, loop.begin(), loop.end(), 2)) ==
+        "vertex 1 is its own neighbour");
   const std::vector<Arc> unsorted{{0, 2}, {0, 1}, {1, 0}, {2, 0}};
   CHECK(validate(CsrGraph(boost::edges_are_sorted, unsorted.begin(), unsorted.end(), 3)).has_value());
 }

@@ -5,12 +5,21 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
+#include <optional>
+#include <set>
 #include <stop_token>
 #include <string>
+#include <utility>
 
+#include "leonhard/graph/combined_levels.hpp"
 #include "leonhard/graph/fill.hpp"
+#include "leonhard/graph/king_numbering.hpp"
+#include "leonhard/graph/level_search.hpp"
 #include "leonhard/graph/minimum_degree.hpp"
+#include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 
@@ -52,6 +61,11 @@ CsrGraph shuffled_mesh(std::uint32_t width, std::uint32_t height) {
   return renamed(random_mesh_graph(width, height, 8), random_order((width + 1) * (height + 1), 8));
 }
 
+constexpr OrderMethod stoppable[] = {OrderMethod::rosen,          OrderMethod::gibbs_poole_stockmeyer,
+                                     OrderMethod::gibbs_king,     OrderMethod::king,
+                                     OrderMethod::sloan,          OrderMethod::spectral,
+                                     OrderMethod::minimum_degree, OrderMethod::nested_dissection};
+
 std::uint64_t envelope(const CsrGraph& graph, const std::vector<std::uint32_t>& order) {
   return ordering_cost(graph, order).envelope;
 }
@@ -80,7 +94,7 @@ TEST_CASE("methods_for_small_envelopes_number_a_path_from_end_to_end") {
   const CsrGraph graph = renamed(path(50), random_order(50, 3));
   for (const OrderMethod method :
        {OrderMethod::cuthill_mckee, OrderMethod::reverse_cuthill_mckee, OrderMethod::gibbs_poole_stockmeyer,
-        OrderMethod::king, OrderMethod::sloan, OrderMethod::spectral}) {
+        OrderMethod::gibbs_king, OrderMethod::king, OrderMethod::sloan, OrderMethod::spectral}) {
     OrderOptions options;
     options.method = method;
     CAPTURE(static_cast<int>(method));
@@ -108,11 +122,172 @@ TEST_CASE("sloan_and_the_fiedler_vector_have_smaller_envelopes_than_reverse_cuth
   CHECK(envelope(graph, natural_order(graph)) > 5 * rcm);
 }
 
+namespace {
+
+/// King's rule at every step, by counting: of the front a vertex that brings fewest others to it, the longest there;
+/// of the lowest level that is not finished, and where none of it is in the front, its first of least degree.
+std::vector<std::uint32_t> king_by_counting(const CsrGraph& graph, std::uint32_t root,
+                                            std::vector<std::uint32_t> level_of = {}) {
+  const std::uint32_t n = vertex_count(graph);
+  if (level_of.empty()) level_of.assign(n, 0);
+  std::vector<std::uint32_t> front{root}, order;
+  std::vector<char> reached(n, 0), numbered(n, 0);
+  reached[root] = 1;
+  const auto brought = [&](std::uint32_t v) {
+    return std::ranges::count_if(neighbours(graph, v), [&](std::uint32_t w) { return reached[w] == 0; });
+  };
+  while (order.size() < n) {
+    std::uint32_t level = n;
+    for (std::uint32_t v = 0; v < n; ++v)
+      if (numbered[v] == 0) level = std::min(level, level_of[v]);
+    std::vector<std::uint32_t> candidates;
+    std::ranges::copy_if(front, std::back_inserter(candidates),
+                         [&](std::uint32_t v) { return level_of[v] == level; });
+    if (candidates.empty()) {
+      const std::vector<std::uint32_t> all = detail::vertices_by_degree(graph);
+      candidates.push_back(*std::ranges::find_if(
+          all, [&](std::uint32_t v) { return reached[v] == 0 && level_of[v] == level; }));
+      reached[candidates.front()] = 1;
+      front.push_back(candidates.front());
+    }
+    order.push_back(*std::ranges::min_element(candidates, {}, brought));
+    numbered[order.back()] = 1;
+    std::erase(front, order.back());
+    for (const std::uint32_t w : neighbours(graph, order.back()))
+      if (std::exchange(reached[w], 1) == 0) front.push_back(w);
+  }
+  return order;
+}
+
+/// Sloan's rule at every step, by counting: next comes the vertex of highest priority among those within two edges of
+/// what is numbered.
+std::vector<std::uint32_t> sloan_by_counting(const CsrGraph& graph, SloanWeights weights) {
+  const std::uint32_t n = vertex_count(graph);
+  const Progress none;
+  detail::StepCounter steps(none, "", 1);
+  detail::LevelSearch search(graph);
+  const detail::PseudoDiameter ends =
+      detail::pseudo_diameter(graph, search, detail::vertices_by_degree(graph).front(), steps);
+  std::vector<std::uint32_t> distance(n), order;
+  search(ends.to);
+  search.write_levels(distance);
+  std::vector<char> numbered(n, 0), in_front(n, 0);  // in the front: numbered or beside what is numbered
+  while (order.size() < n) {
+    std::optional<std::uint32_t> best;
+    std::int64_t highest = 0;
+    for (std::uint32_t v = 0; v < n; ++v) {
+      const auto list = neighbours(graph, v);
+      const bool within_reach = in_front[v] != 0 || (order.empty() && v == ends.from) ||
+                                std::ranges::any_of(list, [&](std::uint32_t w) { return in_front[w] != 0; });
+      if (numbered[v] != 0 || !within_reach) continue;
+      const auto rows_added = std::ranges::count_if(list, [&](std::uint32_t w) { return in_front[w] == 0; }) +
+                              (in_front[v] == 0 ? 1 : 0);
+      const std::int64_t priority =
+          std::int64_t{weights.distance} * distance[v] - weights.degree * rows_added;
+      if (best && priority <= highest) continue;
+      best = v;
+      highest = priority;
+    }
+    order.push_back(*best);
+    numbered[*best] = in_front[*best] = 1;
+    for (const std::uint32_t w : neighbours(graph, *best)) in_front[w] = 1;
+  }
+  return detail::better_direction(graph, order);
+}
+
+}  // namespace
+
+TEST_CASE("king_follows_his_rule_at_every_step_and_takes_the_better_end") {
+  bool first_is_better = false, second_is_better = false;
+  for (std::uint64_t seed = 1; seed < 12; ++seed) {
+    const CsrGraph graph = renamed(random_mesh_graph(7, 11, seed), random_order(96, seed));
+    const Progress none;
+    for (const std::uint32_t root : {0U, 17U, 95U}) {
+      detail::StepCounter steps(none, "", 1);
+      CHECK(detail::king_numbering(graph, root, {}, steps) == king_by_counting(graph, root));
+    }
+    detail::StepCounter steps(none, "", 1);
+    detail::LevelSearch search(graph);
+    const detail::PseudoDiameter ends =
+        detail::pseudo_diameter(graph, search, detail::vertices_by_degree(graph).front(), steps);
+    const auto from = envelope(graph, detail::better_direction(graph, king_by_counting(graph, ends.from)));
+    const auto to = envelope(graph, detail::better_direction(graph, king_by_counting(graph, ends.to)));
+    CHECK(envelope(graph, king(graph)) == std::min(from, to));
+    first_is_better = first_is_better || from < to;
+    second_is_better = second_is_better || to < from;
+  }
+  CHECK(first_is_better);
+  CHECK(second_is_better);
+}
+
+TEST_CASE("sloan_follows_his_rule_at_every_step") {
+  for (std::uint64_t seed = 1; seed < 8; ++seed) {
+    const CsrGraph graph = renamed(random_mesh_graph(7, 11, seed), random_order(96, seed));
+    for (const SloanWeights weights : {SloanWeights{1, 2}, SloanWeights{16, 1}, SloanWeights{2, 1}})
+      CHECK(sloan(graph, std::array{weights}) == sloan_by_counting(graph, weights));
+  }
+}
+
+TEST_CASE("kings_rule_makes_envelopes_smaller") {
+  std::uint64_t rcm = 0, gps = 0, by_levels = 0, free = 0;
+  for (const auto& [width, height] : {std::array{12U, 60U}, std::array{40U, 40U}, std::array{20U, 90U}}) {
+    const CsrGraph graph = shuffled_mesh(width, height);
+    rcm += envelope(graph, reverse_cuthill_mckee(graph));
+    gps += envelope(graph, gibbs_poole_stockmeyer(graph));
+    by_levels += envelope(graph, gibbs_king(graph));
+    free += envelope(graph, king(graph));
+  }
+  CHECK(double(gps) < 1.1 * double(rcm));
+  CHECK(by_levels < gps);
+  CHECK(free < by_levels);
+}
+
+TEST_CASE("level_methods_number_one_level_after_another") {
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    const CsrGraph graph = renamed(random_mesh_graph(12, 19, seed), random_order(260, seed));
+    const Progress none;
+    detail::StepCounter steps(none, "", 1);
+    const detail::CombinedLevels levels = detail::combined_levels(graph, steps);
+    for (const std::vector<std::uint32_t>& order : {gibbs_poole_stockmeyer(graph), gibbs_king(graph)}) {
+      std::vector<std::uint32_t> sequence;
+      for (const std::uint32_t v : order) sequence.push_back(levels.level_of[v]);
+      if (sequence.front() != 0) std::ranges::reverse(sequence);  // as a whole, for the envelope
+      CHECK(std::ranges::is_sorted(sequence));
+    }
+    CHECK(gibbs_king(graph) ==
+          detail::better_direction(graph, king_by_counting(graph, levels.root, levels.level_of)));
+  }
+}
+
 TEST_CASE("minimum_degree_fills_less_than_any_envelope_method") {
   const CsrGraph graph = shuffled_mesh(30, 30);
   const auto fill = cholesky_fill(graph, minimum_degree(graph)).fill;
   CHECK(2 * fill < cholesky_fill(graph, reverse_cuthill_mckee(graph)).fill);
   CHECK(2 * fill < cholesky_fill(graph, sloan(graph)).fill);
+}
+
+TEST_CASE("approximate_degrees_fill_about_as_little_as_exact_ones") {
+  std::uint64_t approximate = 0, exact = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const CsrGraph graph = renamed(random_mesh_graph(13, 13, seed), random_order(196, seed));
+    approximate += cholesky_fill(graph, minimum_degree(graph)).fill;
+    std::vector<std::set<std::uint32_t>> beside(196);
+    for (std::uint32_t v = 0; v < 196; ++v)
+      for (const std::uint32_t w : neighbours(graph, v)) beside[v].insert(w);
+    std::vector<char> gone(196, 0);
+    for (int step = 0; step < 196; ++step) {
+      std::uint32_t pivot = 196;
+      for (std::uint32_t v = 0; v < 196; ++v)
+        if (gone[v] == 0 && (pivot == 196 || beside[v].size() < beside[pivot].size())) pivot = v;
+      gone[pivot] = 1;
+      for (const std::uint32_t v : beside[pivot]) {
+        beside[v].erase(pivot);
+        for (const std::uint32_t w : beside[pivot])
+          if (v != w && beside[v].insert(w).second && v < w) ++exact;
+      }
+    }
+  }
+  CHECK(approximate < exact);
 }
 
 TEST_CASE("rosen_never_enlarges_the_bandwidth_and_finds_that_of_a_shuffled_path") {
@@ -126,6 +301,15 @@ TEST_CASE("rosen_never_enlarges_the_bandwidth_and_finds_that_of_a_shuffled_path"
   const RosenResult improved = rosen(mesh, natural_order(mesh));
   CHECK(2 * ordering_cost(mesh, improved.order).bandwidth < before);
   CHECK(improved.exchanges > 0);
+}
+
+TEST_CASE("rosen_exchanges_numbers_that_keep_the_bandwidth_where_edges_get_shorter") {
+  std::uint32_t sum = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const CsrGraph shuffled = renamed(path(20), random_order(20, seed));
+    sum += ordering_cost(shuffled, rosen(shuffled, natural_order(shuffled)).order).bandwidth;
+  }
+  CHECK(sum <= 50);
 }
 
 TEST_CASE("rosen_takes_the_order_it_is_to_improve") {
@@ -143,8 +327,9 @@ TEST_CASE("rosen_takes_the_order_it_is_to_improve") {
 TEST_CASE("a_stop_request_ends_orderings_with_a_permutation") {
   std::stop_source source;
   source.request_stop();
-  const CsrGraph mesh = shuffled_mesh(30, 30);
-  for (const OrderMethod method : {OrderMethod::rosen, OrderMethod::spectral}) {
+  const CsrGraph mesh = disjoint_union({shuffled_mesh(30, 30), shuffled_mesh(9, 9), path(1)});
+  for (const OrderMethod method : stoppable) {
+    CAPTURE(static_cast<int>(method));
     OrderOptions options;
     options.method = method;
     options.progress.stop = source.get_token();
@@ -152,6 +337,58 @@ TEST_CASE("a_stop_request_ends_orderings_with_a_permutation") {
     CHECK(result.outcome == OrderOutcome::stopped);
     CHECK(is_permutation_of_all(mesh, result.order));
   }
+}
+
+TEST_CASE("a_stop_request_amid_the_work_ends_it_soon") {
+  const CsrGraph mesh = shuffled_mesh(180, 180);
+  for (const OrderMethod method : {OrderMethod::gibbs_poole_stockmeyer, OrderMethod::gibbs_king,
+                                   OrderMethod::king, OrderMethod::sloan, OrderMethod::minimum_degree}) {
+    CAPTURE(static_cast<int>(method));
+    OrderOptions options;
+    options.method = method;
+    const auto whole = order(mesh, options).order;
+    std::stop_source source;
+    options.progress.stop = source.get_token();
+    double last = 0;
+    options.progress.report = [&](std::string_view, double fraction) {
+      CHECK(fraction >= last);
+      last = fraction;
+      if (fraction > 0.3) source.request_stop();
+    };
+    const OrderResult result = order(mesh, options);
+    CHECK(result.outcome == OrderOutcome::stopped);
+    CHECK(last > 0.3);
+    CHECK(last < 0.4);
+    CHECK(is_permutation_of_all(mesh, result.order));
+    CHECK(result.order != whole);
+  }
+}
+
+TEST_CASE("rosen_is_stopped_whatever_order_it_starts_from") {
+  const CsrGraph mesh = shuffled_mesh(60, 60);
+  for (const OrderMethod start : {OrderMethod::natural, OrderMethod::sloan}) {
+    std::stop_source source;
+    OrderOptions options{.method = OrderMethod::rosen, .start = start};
+    options.progress.stop = source.get_token();
+    options.progress.report = [&](std::string_view, double) { source.request_stop(); };
+    if (start == OrderMethod::natural) source.request_stop();
+    const OrderResult result = order(mesh, options);
+    CHECK(result.outcome == OrderOutcome::stopped);
+    CHECK(is_permutation_of_all(mesh, result.order));
+  }
+}
+
+TEST_CASE("a_stop_between_two_choices_keeps_the_first") {
+  const CsrGraph mesh = shuffled_mesh(60, 60);
+  const std::vector<SloanWeights> first{{1, 2}}, both{{1, 2}, {16, 1}};
+  std::stop_source source;
+  Progress progress{[&](std::string_view, double fraction) {
+                      if (fraction > 0.5) source.request_stop();
+                    },
+                    source.get_token()};
+  const OrderResult result = sloan(mesh, both, progress);
+  CHECK(result.outcome == OrderOutcome::stopped);
+  CHECK(result.order == sloan(mesh, first));
 }
 
 TEST_CASE("hilbert_wants_one_finite_point_a_vertex_and_follows_them") {
@@ -168,10 +405,29 @@ TEST_CASE("hilbert_wants_one_finite_point_a_vertex_and_follows_them") {
   CHECK_THROWS_AS(static_cast<void>(order(path(3), options)), InputError);
 }
 
+TEST_CASE("points_of_a_plane_are_followed_along_a_curve_of_the_plane") {
+  const std::vector<Point3> points = some_points(170);
+  std::vector<Point2> plane;
+  for (const Point3& p : points) plane.push_back({p.x, p.y});
+  CHECK(order(path(170), {.method = OrderMethod::hilbert, .coordinates = points}).order ==
+        kernel::hilbert_order(plane));
+}
+
+TEST_CASE("the_seed_reaches_the_eigensolver") {
+  const CsrGraph square = grid(24, 24);  // a double eigenvalue: the start decides which vector is found
+  const auto by_seed = [&](std::uint64_t seed) {
+    return order(square, {.method = OrderMethod::spectral, .seed = seed}).order;
+  };
+  CHECK(by_seed(3) == spectral_order(square, 3).order);
+  CHECK(by_seed(3) != by_seed(4));
+}
+
 TEST_CASE("sloan_takes_the_best_of_the_weights_it_is_given") {
-  const CsrGraph mesh = shuffled_mesh(14, 25);
   const std::vector<SloanWeights> one{{1, 2}}, other{{16, 1}};
-  CHECK(envelope(mesh, sloan(mesh)) ==
-        std::min(envelope(mesh, sloan(mesh, one)), envelope(mesh, sloan(mesh, other))));
+  const CsrGraph mesh = shuffled_mesh(14, 25);
+  for (const CsrGraph& graph : {mesh, shuffled_mesh(40, 40), shuffled_mesh(7, 70), random_graph(200, 4, 3)}) {
+    const auto first = envelope(graph, sloan(graph, one)), second = envelope(graph, sloan(graph, other));
+    CHECK(envelope(graph, sloan(graph)) == std::min(first, second));
+  }
   CHECK_THROWS_AS(static_cast<void>(sloan(mesh, std::vector<SloanWeights>{})), InputError);
 }

@@ -173,8 +173,8 @@ TEST_CASE("a_meshs_out_degree_list_has_at_most_three_heads_a_vertex") {
 }
 
 TEST_CASE("the_least_degree_sequence_attains_the_degeneracy") {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const CsrGraph graph = random_graph(30, 60, seed);
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const CsrGraph graph = random_graph(30, 10 + static_cast<unsigned>(seed), seed);
     // By brute force: the largest least degree met while vertices of least degree are removed.
     std::vector<std::uint32_t> left(30);
     for (std::uint32_t v = 0; v < 30; ++v) left[v] = degree(graph, v);

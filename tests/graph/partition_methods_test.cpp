@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -142,6 +144,27 @@ TEST_CASE("the_multilevel_method_cuts_less_than_the_spectral_one") {
   }
 }
 
+TEST_CASE("spectral_bisection_cuts_as_with_eigenvectors_of_a_dense_solver") {
+  struct Reference {
+    CsrGraph graph;
+    double lambda2;
+    std::array<std::size_t, 6>
+        cuts;  // 2, 4, ... 64 parts: LAPACK's dsyev, split at the median, nothing refined
+  };
+  for (const Reference& reference :
+       {Reference{random_mesh_graph(31, 19, 1), 0.0169777944349, {39, 103, 183, 308, 462, 693}},
+        Reference{random_mesh_graph(39, 15, 2), 0.0107614853038, {31, 96, 176, 304, 461, 697}}}) {
+    CHECK(fiedler(reference.graph, {.tolerance = 1e-7}).value ==
+          doctest::Approx(reference.lambda2).epsilon(1e-11).scale(0));
+    for (std::uint32_t level = 0; level < 6; ++level) {
+      const PartitionCost cost =
+          partition_cost(reference.graph, recursive_spectral_bisection(reference.graph, 2U << level));
+      CHECK(cost.cut == reference.cuts[level]);
+      CHECK(cost.largest == cost.smallest);
+    }
+  }
+}
+
 TEST_CASE("vertex_weights_are_balanced_whatever_the_method") {
   const CsrGraph graph = random_mesh_graph(20, 14, 5);
   const std::uint32_t n = vertex_count(graph);
@@ -216,6 +239,65 @@ TEST_CASE("connected_parts_are_connected_and_balanced") {
   }
 }
 
+namespace {
+
+/// A partition by coordinate bisection of points on a line, then made connected.
+Partition connected_along_a_line(const CsrGraph& graph, std::uint32_t parts,
+                                 const std::vector<double>& places, double imbalance,
+                                 const std::vector<std::uint32_t>& weights = {}) {
+  std::vector<Point2> points;
+  for (const double x : places) points.push_back({x, 0});
+  PartitionOptions options;
+  options.method = PartitionMethod::coordinate;
+  options.connected = true;
+  options.imbalance = imbalance;
+  options.coordinates = std::span<const Point2>(points);
+  options.vertex_weights = weights;
+  return partition(graph, parts, options);
+}
+
+}  // namespace
+
+TEST_CASE("the_heaviest_piece_of_a_part_stays_and_loose_ones_go_where_most_edges_lead") {
+  using Parts = std::vector<std::uint32_t>;
+  // A path whose last vertex lies among the first ones: it goes to its neighbour's part.
+  const std::vector<double> places{0, 1, 2, 3, 4, 6, 7, 8, 9, 10, 11, 5};
+  const Partition path_parts = connected_along_a_line(path(12), 2, places, 0.5);
+  CHECK(path_parts.outcome == PartitionOutcome::done);
+  CHECK(path_parts.part_of == Parts{0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1});
+  // Perfect balance: the other part hands a vertex back across their border.
+  const Partition balanced = connected_along_a_line(path(12), 2, places, 0);
+  CHECK(balanced.outcome == PartitionOutcome::done);
+  CHECK(balanced.part_of == Parts{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1});
+  // Vertex 4 is loose, with one edge to the second part and two to the third.
+  const CsrGraph three = graph_from_edges(15, Edges{{0, 1},
+                                                    {1, 2},
+                                                    {2, 3},
+                                                    {3, 5},
+                                                    {5, 6},
+                                                    {6, 7},
+                                                    {7, 8},
+                                                    {8, 9},
+                                                    {9, 10},
+                                                    {10, 11},
+                                                    {11, 12},
+                                                    {12, 13},
+                                                    {13, 14},
+                                                    {4, 9},
+                                                    {4, 12},
+                                                    {4, 14}})
+                             .graph;
+  const Partition joined =
+      connected_along_a_line(three, 3, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14}, 0.5);
+  CHECK(joined.part_of == Parts{0, 0, 0, 0, 2, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2});
+}
+
+TEST_CASE("a_vertex_too_heavy_for_the_part_beside_is_not_handed_on") {
+  const Partition found = connected_along_a_line(path(4), 2, {0, 2, 3, 1}, 0, {5, 3, 3, 1});
+  CHECK(found.outcome == PartitionOutcome::disconnected);
+  CHECK(found.part_of == std::vector<std::uint32_t>{0, 1, 1, 0});
+}
+
 TEST_CASE("connected_parts_of_too_many_components_are_told") {
   PartitionOptions options;
   options.connected = true;
@@ -264,6 +346,34 @@ TEST_CASE("inertial_bisection_cuts_across_the_longest_extent_in_any_direction") 
   CHECK(recursive_inertial_bisection(in_space, 2).part_of == halves.part_of);
 }
 
+TEST_CASE("inertial_bisection_counts_along_the_axis_whatever_its_direction") {
+  for (int turn = 0; turn < 16; ++turn) {
+    const double angle = 0.1 + turn * std::numbers::pi / 8;
+    std::vector<Point2> points;
+    for (int i = 0; i < 10; ++i) points.push_back({i * std::cos(angle), i * std::sin(angle)});
+    const bool forwards =
+        std::abs(std::cos(angle)) > std::abs(std::sin(angle)) ? std::cos(angle) > 0 : std::sin(angle) > 0;
+    const Partition halves = recursive_inertial_bisection(points, 2);
+    CHECK(halves.part_of.front() == (forwards ? 0 : 1));
+    CHECK(halves.part_of.back() == (forwards ? 1 : 0));
+  }
+}
+
+TEST_CASE("inertial_bisection_takes_the_largest_finite_coordinates_in_any_sequence") {
+  const double large = std::numeric_limits<double>::max();
+  const std::array<Point2, 4> corners{
+      {{large, -large}, {-large, large}, {0.9 * large, -large}, {-0.9 * large, large}}};
+  std::array<std::size_t, 4> sequence{0, 1, 2, 3};
+  do {
+    std::vector<Point2> points;
+    for (const std::size_t i : sequence) points.push_back(corners[i]);
+    const Partition halves = recursive_inertial_bisection(points, 2);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        CHECK((halves.part_of[i] == halves.part_of[j]) == (sequence[i] % 2 == sequence[j] % 2));
+  } while (std::ranges::next_permutation(sequence).found);
+}
+
 TEST_CASE("inertial_bisection_takes_the_largest_finite_coordinates") {
   const double huge = std::numeric_limits<double>::max();
   const std::vector<Point2> points{{huge, -huge}, {-huge, huge}, {0.9 * huge, -huge}, {-0.9 * huge, huge}};
@@ -292,6 +402,26 @@ TEST_CASE("cuthill_mckee_bisection_at_level_sets_cuts_a_grid_along_a_level") {
   CHECK(levels.largest - levels.smallest <= 5);
   CHECK(levels.cut <= median.cut);
   CHECK(levels.max_components == 1);
+}
+
+TEST_CASE("level_sets_leave_a_vertex_for_every_part_and_keep_both_sides_within_the_bound") {
+  CuthillMcKeeOptions anything;
+  anything.imbalance = 100;
+  const Partition full = recursive_cuthill_mckee_bisection(star(9), 8, CuthillMcKeeCut::level_set, anything);
+  CHECK(partition_cost(star(9), full).smallest > 0);
+  // A path of 40 to a hub of 59 leaves: no level but one ends near the median, and that leaves too much behind.
+  for (const bool leaves_first : {true, false}) {
+    Edges edges;
+    for (std::uint32_t v = 1; v < 41; ++v) edges.push_back({v - 1, v});
+    for (std::uint32_t leaf = 41; leaf < 100; ++leaf) edges.push_back({40, leaf});
+    std::vector<std::uint32_t> name(100);
+    for (std::uint32_t v = 0; v < 100; ++v) name[v] = leaves_first ? 99 - v : v;
+    const CsrGraph broom = renamed(graph_from_edges(100, edges).graph, name);
+    CuthillMcKeeOptions options;
+    options.imbalance = 0.1;
+    const Partition halves = recursive_cuthill_mckee_bisection(broom, 2, CuthillMcKeeCut::level_set, options);
+    CHECK(partition_cost(broom, halves).largest <= 55);
+  }
 }
 
 TEST_CASE("cuthill_mckee_level_sets_give_fewer_pieces_than_the_median") {

@@ -82,6 +82,23 @@ TEST_CASE("coordinate_bisection_finds_the_longer_side_of_the_largest_finite_box"
   CHECK(recursive_coordinate_bisection(points, 2).part_of == std::vector<std::uint32_t>{0, 1, 1, 0});
 }
 
+TEST_CASE("coordinate_bisection_breaks_ties_by_the_other_coordinate") {
+  const std::vector<Point2> points{{0, 0}, {1, 1}, {1, 0}, {3, 0}};
+  CHECK(recursive_coordinate_bisection(points, 2).part_of == std::vector<std::uint32_t>{0, 1, 0, 1});
+}
+
+TEST_CASE("weights_are_halved_at_the_point_nearest_to_the_share") {
+  const auto part_of = [](std::vector<std::uint32_t> weights, std::uint32_t parts) {
+    std::vector<Point2> points;
+    for (std::size_t i = 0; i < weights.size(); ++i) points.push_back({static_cast<double>(i), 0});
+    return recursive_coordinate_bisection(points, parts, weights).part_of;
+  };
+  using Parts = std::vector<std::uint32_t>;
+  CHECK(part_of({3, 1, 1, 1, 1, 1, 1, 3}, 2) == Parts{0, 0, 0, 0, 1, 1, 1, 1});
+  CHECK(part_of({3, 3, 3, 1}, 2) == Parts{0, 0, 1, 1});        // 6 and 4 rather than 3 and 7
+  CHECK(part_of({2, 2, 2, 9, 3}, 3) == Parts{0, 0, 0, 1, 2});  // a third is 6
+}
+
 TEST_CASE("spectral_bisection_cuts_a_long_grid_across") {
   const CsrGraph graph = renamed(grid(40, 7), random_order(280, 3));
   const PartitionCost halves = partition_cost(graph, recursive_spectral_bisection(graph, 2));
@@ -134,6 +151,8 @@ TEST_CASE("more_parts_than_vertices_leaves_the_rest_empty_and_says_so") {
     CHECK(partition.outcome == PartitionOutcome::empty_parts);
     CHECK(std::set<std::uint32_t>(partition.part_of.begin(), partition.part_of.end()).size() == 5);
   }
+  CHECK(recursive_coordinate_bisection(std::vector<Point2>(5), 6).outcome == PartitionOutcome::empty_parts);
+  CHECK(recursive_coordinate_bisection(std::vector<Point2>(5), 5).outcome == PartitionOutcome::done);
   const PartitionCost cost = partition_cost(path(5), spectral);
   CHECK(cost.smallest == 0);
   CHECK(std::ranges::count(cost.components, 0U) == 4);
