@@ -58,7 +58,7 @@ class Communicator {
   Communicator(const CommunicateCommand& command, Console& console, std::stop_token stop)
       : command_(command), console_(console), stop_(std::move(stop)) {
     colouring_.seed = command.common.seed;
-    colouring_.stop = stop_;
+    colouring_.progress = progress();
   }
 
   [[nodiscard]] Answer operator()(const AnyGraph& input) const {
