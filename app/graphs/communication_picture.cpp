@@ -5,98 +5,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
-#include <numbers>
-#include <numeric>
 #include <vector>
 
 #include "leonhard/app/graphs/graph_picture.hpp"
+#include "leonhard/app/graphs/part_places.hpp"
 #include "leonhard/mesh/draw/diagram.hpp"
 
 namespace leonhard::app {
 namespace {
 
 constexpr draw::Colour dark{0.1, 0.1, 0.1}, pale{0.70, 0.72, 0.76};
-constexpr std::size_t most_lengths = 60, most_names = 100, most_legend = 16, most_in_a_circle = 100;
+constexpr std::size_t most_lengths = 60, most_names = 100, most_legend = 16;
 
 /// Eight colours, then the same dashed, then dotted.
 draw::Stroke stroke_of_cycle(std::size_t cycle, double width) {
   constexpr std::array styles{draw::LineStyle::solid, draw::LineStyle::dashed, draw::LineStyle::dotted};
   return {draw::line_colour(cycle), width, styles[cycle / 8 % styles.size()]};
-}
-
-std::vector<Point2> in_a_circle(const std::vector<std::size_t>& sequence) {
-  std::vector<Point2> places(sequence.size());
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(sequence.size());
-    places[sequence[i]] = {std::sin(angle), std::cos(angle)};
-  }
-  return places;
-}
-
-std::vector<Point2> in_a_circle(std::size_t count) {
-  std::vector<std::size_t> sequence(count);
-  std::iota(sequence.begin(), sequence.end(), std::size_t{0});
-  return in_a_circle(sequence);
-}
-
-/// The middle of each part's vertices on the page; of a part without any, the middle of all.
-std::vector<Point2> middles(const std::vector<Point3>& places, const graph::Partition& partition) {
-  std::vector<Vec2> sum(partition.parts);
-  std::vector<double> count(partition.parts, 0);
-  Vec2 all{};
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    const Vec2 place{places[v].x, places[v].y};
-    sum[partition.part_of[v]] = sum[partition.part_of[v]] + place;
-    ++count[partition.part_of[v]];
-    all = all + place;
-  }
-  std::vector<Point2> result;
-  for (std::size_t part = 0; part < sum.size(); ++part) {
-    const bool empty = count[part] == 0;
-    const double share = 1 / (empty ? static_cast<double>(places.size()) : count[part]);
-    result.push_back(Point2{} + share * (empty ? all : sum[part]));
-  }
-  return result;
-}
-
-/// Whether some two are too near to each other to be told apart: as in meshes that are graded.
-bool are_crowded(const std::vector<Point2>& places) {
-  Point2 low = places.front(), high = low;
-  for (const Point2 p : places) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const double near = 0.08 * std::max(high.x - low.x, high.y - low.y);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (distance(places[i], places[k]) <= near) return true;
-  return false;
-}
-
-double middle_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-/// Where they are, or, few and crowded, in a circle in the sequence in which they lie about their median.
-std::vector<Point2> told_apart(const std::vector<Point2>& places) {
-  if (places.size() > most_in_a_circle || !are_crowded(places)) return places;
-  std::vector<double> x, y;
-  for (const Point2 p : places) {
-    x.push_back(p.x);
-    y.push_back(p.y);
-  }
-  const Point2 median{middle_of(x), middle_of(y)};
-  std::vector<std::size_t> sequence(places.size());
-  std::iota(sequence.begin(), sequence.end(), std::size_t{0});
-  std::ranges::stable_sort(sequence, {}, [&](std::size_t i) {
-    const Vec2 from = places[i] - median;
-    return std::atan2(from.x, from.y);  // as in_a_circle runs, from the top clockwise
-  });
-  return in_a_circle(sequence);
 }
 
 /// Triangles in their part's colour, the sides between parts dark.
@@ -205,14 +130,14 @@ void draw_communication(const std::filesystem::path& path, const AnyGraph& input
                         const std::string& title) {
   const std::vector<Point3> places = places_on_page(input);
   if (places.empty()) {
-    const ExchangesDiagram exchanges(communication, in_a_circle(partition.parts));
+    const ExchangesDiagram exchanges(communication, parts_in_a_circle(partition.parts));
     return draw::draw_diagram(path, exchanges.diagram(exchanges_title(communication)));
   }
   const std::string parts_title = fmt::format("{} parts", partition.parts);
   const TriangleMesh* triangles = which == GraphOf::cells ? input.triangles() : nullptr;
   const std::array panels{triangles ? triangles_diagram(*triangles, input.graph, partition, parts_title)
                                     : graph_diagram(input, places, partition, parts_title),
-                          ExchangesDiagram(communication, told_apart(middles(places, partition)))
+                          ExchangesDiagram(communication, places_of_parts(places, partition))
                               .diagram(exchanges_title(communication))};
   draw::draw_diagrams(path, panels, 2, title, {2000, 1000});
 }

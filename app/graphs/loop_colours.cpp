@@ -22,8 +22,9 @@ std::vector<std::size_t> sizes_of(const graph::Colouring& colouring) {
 std::string range_text(const graph::Colouring& colouring, const char* what) {
   const std::vector<std::size_t> sizes = sizes_of(colouring);
   if (sizes.empty()) return fmt::format("0 {}", what);
-  return fmt::format("{} to {} {} each", grouped(std::ranges::min(sizes)), grouped(std::ranges::max(sizes)),
-                     what);
+  const auto [least, most] = std::ranges::minmax(sizes);
+  if (least == most) return fmt::format("{} {} each", grouped(most), what);
+  return fmt::format("{} to {} {} each", grouped(least), grouped(most), what);
 }
 
 }  // namespace

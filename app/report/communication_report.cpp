@@ -109,13 +109,16 @@ std::string parts_text(const graph::PartitionCost& cost, const Communication& co
   }
   const double all =
       static_cast<double>(std::accumulate(cost.weights.begin(), cost.weights.end(), std::uint64_t{0}));
+  const auto to_mean = [&](std::size_t part) {
+    return all > 0 ? static_cast<double>(cost.weights[part]) * static_cast<double>(cost.sizes.size()) / all
+                   : 1;
+  };
   text += fmt::format("{:>8}{:>12}{:>10}{:>8}{:>12}{:>10}{:>10}\n", "part", "vertices", "to mean", "pieces",
                       "neighbours", "halo", "sends");
   for (const std::size_t part : shown)
-    text += fmt::format(
-        "{:>8}{:>12}{:>10.4f}{:>8}{:>12}{:>10}{:>10}\n", part, grouped(cost.sizes[part]),
-        static_cast<double>(cost.weights[part]) * static_cast<double>(cost.sizes.size()) / all,
-        cost.components[part], cost.neighbours[part], grouped(cost.halo[part]), grouped(sent[part]));
+    text += fmt::format("{:>8}{:>12}{:>10.4f}{:>8}{:>12}{:>10}{:>10}\n", part, grouped(cost.sizes[part]),
+                        to_mean(part), cost.components[part], cost.neighbours[part], grouped(cost.halo[part]),
+                        grouped(sent[part]));
   return text;
 }
 

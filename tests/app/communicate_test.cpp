@@ -149,6 +149,20 @@ TEST_CASE("communicate_draws_graphs_with_and_without_coordinates") {
     CHECK(std::filesystem::file_size(scratch.path() / picture) > 1000);
 }
 
+TEST_CASE("communicate_has_nothing_to_tell_of_graphs_without_edges") {
+  const ScratchFolder scratch;
+  scratch.write("none.graph", "0 0\n");
+  scratch.write("three.graph", "3 0\n\n\n\n");
+  CHECK(report_of(scratch, "three.graph -k 3 --what-if 1,2")["communication"]["cycle_count"] == 0);
+  for (const char* arguments :
+       {"none.graph -k 1", "three.graph -k 3 --work 1 --what-if 1,2 --picture p.png"}) {
+    const Ran ran = run(std::string("communicate --quiet ") + arguments, scratch.path());
+    CAPTURE(ran.err);
+    CHECK(ran.exit_code == 0);
+    CHECK(ran.out.find("nan") == std::string::npos);
+  }
+}
+
 TEST_CASE("communicate_refuses_bad_input_and_writes_nothing") {
   const ScratchFolder scratch;
   scratch.write("path.graph", path_graph);
