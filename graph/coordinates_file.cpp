@@ -15,9 +15,9 @@ Point3 read_point(io::TextScanner& scan, std::uint32_t& dimension) {
   while (count < 3 && !scan.line_done()) at[count++] = scan.number("a coordinate");
   scan.expect_line_end("a vertex's coordinates");
   if (dimension == 0) dimension = count;
-  if (count != dimension || count < 2)
-    scan.fail("the line has " + std::to_string(count) + " coordinates" +
-                  (count == dimension ? "" : ", those before it " + std::to_string(dimension)),
+  if (count != dimension)
+    scan.fail("the line has " + std::to_string(count) + " coordinates, those before it " +
+                  std::to_string(dimension),
               "give two or three on every line");
   return {at[0], at[1], at[2]};
 }

@@ -133,6 +133,30 @@ TEST_CASE("exchanges_carry_the_message_of_either_direction") {
   CHECK(communication_cost(schedule, {10, 1}).busiest_part_seconds == 30 + 6);
 }
 
+TEST_CASE("exchanges_of_many_parts_carry_what_each_side_needs") {
+  const CsrGraph graph = random_mesh_graph(16, 12, 5);
+  std::mt19937_64 random(5);
+  std::vector<std::uint32_t> part_of(vertex_count(graph));
+  for (std::uint32_t v = 0; v < part_of.size(); ++v) part_of[v] = v / 40 + (random() % 8 == 0 ? 1 : 0);
+  const Partition partition = partition_of(*std::ranges::max_element(part_of) + 1, part_of);
+  const auto needed = [&](std::uint32_t from, std::uint32_t to) {
+    std::uint64_t count = 0;
+    for (std::uint32_t v = 0; v < part_of.size(); ++v)
+      if (part_of[v] == from &&
+          std::ranges::any_of(neighbours(graph, v), [&](std::uint32_t w) { return part_of[w] == to; }))
+        ++count;
+    return count;
+  };
+  std::size_t one_sided = 0;
+  for (const auto& cycle : communication_schedule(communication_graph(graph, partition)).cycles)
+    for (const Exchange& e : cycle) {
+      CHECK(e.forwards == needed(e.first, e.second));
+      CHECK(e.backwards == needed(e.second, e.first));
+      one_sided += e.forwards != e.backwards ? 1U : 0U;
+    }
+  CHECK(one_sided > 2);
+}
+
 TEST_CASE("bad_partitions_and_costs_are_refused") {
   CHECK_THROWS_AS(static_cast<void>(communication_graph(path(3), partition_of(2, {0, 1}))), InputError);
   CHECK_THROWS_AS(static_cast<void>(communication_graph(path(3), partition_of(2, {0, 1, 2}))), InputError);

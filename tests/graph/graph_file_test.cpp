@@ -29,9 +29,9 @@ struct BadText {
 
 template <class Parse>
 void refuse(const std::vector<BadText>& table, const Parse& parse) {
-  for (const auto& [text, words] : table) {
-    CAPTURE(text);
-    CHECK_THROWS_WITH_AS(static_cast<void>(parse(text)), doctest::Contains(words), InputError);
+  for (const BadText& bad : table) {
+    CAPTURE(bad.text);
+    CHECK_THROWS_WITH_AS(static_cast<void>(parse(bad.text)), doctest::Contains(bad.words), InputError);
   }
 }
 
@@ -209,6 +209,7 @@ TEST_CASE("complex_matrices_have_two_values_an_entry") {
 
 TEST_CASE("graph_files_of_each_format_and_coordinates_beside_them_are_read") {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "leonhard_graph_file_test";
+  std::filesystem::remove_all(folder);  // of a run that broke off
   std::filesystem::create_directories(folder);
   const auto write = [&](const char* name, const char* text) {
     std::ofstream(folder / name) << text;

@@ -74,18 +74,18 @@ std::uint64_t envelope(const CsrGraph& graph, const std::vector<std::uint32_t>& 
 
 TEST_CASE("every_method_gives_a_permutation_and_twice_the_same") {
   for (const CsrGraph& graph : shelf())
-    for (const auto& [name, method] : named_order_methods) {
-      CAPTURE(std::string(name));
+    for (const NamedOrderMethod& named : named_order_methods) {
+      CAPTURE(std::string(named.name));
       CAPTURE(vertex_count(graph));
       const auto points = some_points(vertex_count(graph));
       OrderOptions options;
-      options.method = method;
+      options.method = named.method;
       options.coordinates = points;
       const OrderResult first = order(graph, options);
       CHECK(first.outcome == OrderOutcome::done);
       CHECK(is_permutation_of_all(graph, first.order));
       CHECK(order(graph, options).order == first.order);
-      CHECK(order_method_named(name) == method);
+      CHECK(order_method_named(named.name) == named.method);
     }
   CHECK_FALSE(order_method_named("no-such-method"));
 }
