@@ -16,7 +16,7 @@ namespace leonhard::app {
 namespace {
 
 constexpr draw::Colour dark{0.1, 0.1, 0.1}, pale{0.70, 0.72, 0.76};
-constexpr std::size_t most_lengths = 60, most_names = 100, most_legend = 16;
+constexpr std::size_t most_lengths = 24, most_names = 100, most_legend = 16;
 
 /// Eight colours, then the same dashed, then dotted.
 draw::Stroke stroke_of_cycle(std::size_t cycle, double width) {

@@ -10,7 +10,7 @@
 
 namespace leonhard::app {
 
-/// The parts, and beside them the communication graph at the parts' centres, its edges coloured by cycles, up to 60 of
+/// The parts, and beside them the communication graph at the parts' centres, its edges coloured by cycles, up to 24 of
 /// them with the lengths of their two messages (Barth's notes, figure 2.3.0). Up to 100 parts whose centres are crowded
 /// stand in a circle instead, and so do, alone, parts whose coordinates are not known. Format and errors as in
 /// mesh/draw/mesh_picture.hpp.

@@ -69,7 +69,7 @@ std::vector<Diagram> communication() {
     for (const graph::Exchange& exchange : schedule.cycles[cycle]) {
       const Point2 a = middle[exchange.first], b = middle[exchange.second];
       right.add_segment(a, b, {.colour = cycle_colours[cycle % 4], .width = 3});
-      right.words.push_back({a + 0.4 * (b - a),
+      right.words.push_back({a + 0.6 * (b - a),
                              "cycle " + std::to_string(cycle + 1) + ": " + std::to_string(exchange.forwards) +
                                  " / " + std::to_string(exchange.backwards),
                              {0, 0.7},
