@@ -111,7 +111,7 @@ class Connector {
     from[heavy] = heavy;
     for (std::size_t i = 0; i < queue.size(); ++i) {
       const std::uint32_t part = queue[i];
-      if (weight_[part] < limit_ && part != heavy && hand_on(from, heavy, part)) return true;
+      if (weight_[part] < limit_ && hand_on(from, heavy, part)) return true;
       for (const std::uint32_t next : beside[part])
         if (from[next] == none) {
           from[next] = part;

@@ -67,8 +67,8 @@ OrderResult gibbs_poole_stockmeyer(const CsrGraph& graph, const Progress& progre
 OrderResult gibbs_king(const CsrGraph& graph, const Progress& progress);
 
 /// King's ordering, for a small envelope: next comes always the vertex of the front that brings the fewest others to
-/// the front, the longest there among equals. The better one of two, from both ends of the graph. (Boost.Graph's looks
-/// at the last vertex's neighbours alone, and its envelopes are reverse_cuthill_mckee's.)
+/// the front, the longest there among equals. The better one of two, from both ends of the graph. (With Boost.Graph's
+/// the envelopes of meshes are about those of reverse_cuthill_mckee.)
 ///
 /// Cost O(m log n) and about ten level structures.
 /// Method: King, Int. J. Numer. Meth. Eng. 2 (1970) 523-533; ends: Gibbs, Poole and Stockmeyer (1976).

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <random>
 #include <set>
 #include <stop_token>
 #include <string>
@@ -405,12 +406,20 @@ TEST_CASE("hilbert_wants_one_finite_point_a_vertex_and_follows_them") {
   CHECK_THROWS_AS(static_cast<void>(order(path(3), options)), InputError);
 }
 
-TEST_CASE("points_of_a_plane_are_followed_along_a_curve_of_the_plane") {
-  const std::vector<Point3> points = some_points(170);
+TEST_CASE("points_are_followed_along_a_curve_of_the_plane_or_of_space") {
+  std::mt19937_64 random(1);
+  std::vector<Point3> points;
   std::vector<Point2> plane;
-  for (const Point3& p : points) plane.push_back({p.x, p.y});
+  for (int i = 0; i < 170; ++i) {
+    plane.push_back({static_cast<double>(random() % 100000), static_cast<double>(random() % 100000)});
+    points.push_back({plane.back().x, plane.back().y, 0});
+  }
+  CHECK(kernel::hilbert_order(points) != kernel::hilbert_order(plane));
   CHECK(order(path(170), {.method = OrderMethod::hilbert, .coordinates = points}).order ==
         kernel::hilbert_order(plane));
+  points[7].z = 1;
+  CHECK(order(path(170), {.method = OrderMethod::hilbert, .coordinates = points}).order ==
+        kernel::hilbert_order(points));
 }
 
 TEST_CASE("the_seed_reaches_the_eigensolver") {

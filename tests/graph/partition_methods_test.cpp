@@ -379,9 +379,17 @@ TEST_CASE("inertial_bisection_counts_along_the_axis_whatever_its_direction") {
 
 TEST_CASE("inertial_bisection_finds_the_axis_of_the_largest_finite_coordinates") {
   const double large = std::numeric_limits<double>::max();
-  const std::vector<Point2> upright{
-      {-0.1 * large, large}, {0.1 * large, 0.9 * large}, {0.1 * large, -large}, {-0.1 * large, -0.9 * large}};
-  CHECK(recursive_inertial_bisection(upright, 2).part_of == std::vector<std::uint32_t>{1, 1, 0, 0});
+  const std::array<Point2, 4> upright{{{-0.1 * large, large},
+                                       {0.1 * large, 0.9 * large},
+                                       {0.1 * large, -large},
+                                       {-0.1 * large, -0.9 * large}}};
+  std::array<std::size_t, 4> sequence{0, 1, 2, 3};
+  do {
+    std::vector<Point2> points;
+    for (const std::size_t i : sequence) points.push_back(upright[i]);
+    const Partition halves = recursive_inertial_bisection(points, 2);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(halves.part_of[i] == (points[i].y < 0 ? 0 : 1));
+  } while (std::ranges::next_permutation(sequence).found);
 }
 
 TEST_CASE("inertial_bisection_takes_the_largest_finite_coordinates") {

@@ -129,6 +129,12 @@ TEST_CASE("spectral_bisection_is_the_same_every_time") {
   CHECK(recursive_spectral_bisection(dual, 7).part_of == recursive_spectral_bisection(dual, 7).part_of);
 }
 
+TEST_CASE("the_seed_of_spectral_bisection_reaches_the_eigensolver") {
+  const CsrGraph square = grid(24, 24);  // a double eigenvalue: the start decides which vector is found
+  CHECK(recursive_spectral_bisection(square, 2, 3).part_of !=
+        recursive_spectral_bisection(square, 2, 4).part_of);
+}
+
 TEST_CASE("spectral_bisection_deals_out_whole_components") {
   const CsrGraph graph = disjoint_union({grid(5, 4), cycle(10), path(10), path(12), path(8)});
   const PartitionCost cost = partition_cost(graph, recursive_spectral_bisection(graph, 2));
