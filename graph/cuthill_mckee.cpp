@@ -4,6 +4,7 @@
 
 #include "leonhard/graph/level_search.hpp"
 #include "leonhard/graph/ordering.hpp"
+#include "leonhard/graph/row_prefetch.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
@@ -23,7 +24,13 @@ class CuthillMcKee {
     std::size_t next = order_.size();
     order_.push_back(root);
     placed_[root] = 1;
-    for (; next < order_.size(); ++next) append_children(order_[next]);
+    for (; next < order_.size(); ++next) {
+      detail::prefetch_rows(graph_, order_, next, [&](std::uint32_t w) {
+        __builtin_prefetch(&placed_[w], 1);
+        __builtin_prefetch(&graph_.m_forward.m_rowstart[w]);
+      });
+      append_children(order_[next]);
+    }
   }
 
   [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(order_); }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "leonhard/graph/row_prefetch.hpp"
+
 namespace leonhard::graph::detail {
 
 std::uint32_t LevelSearch::operator()(std::uint32_t root) {
@@ -15,12 +17,14 @@ std::uint32_t LevelSearch::operator()(std::uint32_t root) {
   queue[0] = root;
   std::uint32_t tail = 1;
   for (std::uint32_t i = 0;;) {
-    for (const std::uint32_t end = start_.back(); i < end; ++i)
+    for (const std::uint32_t end = start_.back(); i < end; ++i) {
+      prefetch_rows(graph_, {queue, tail}, i, [&](std::uint32_t w) { __builtin_prefetch(&stamp[w], 1); });
       for (const std::uint32_t w : neighbours(graph_, queue[i]))
         if (stamp[w] != current_) {
           stamp[w] = current_;
           queue[tail++] = w;
         }
+    }
     if (tail == start_.back()) return depth();
     start_.push_back(tail);
   }
