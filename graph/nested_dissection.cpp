@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/graph/nested_dissection.hpp"
 
-#include <algorithm>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,6 +8,7 @@
 #include "leonhard/graph/kway_graph.hpp"
 #include "leonhard/graph/minimum_degree.hpp"
 #include "leonhard/graph/multilevel_separator.hpp"
+#include "leonhard/graph/step_counter.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
@@ -35,14 +34,6 @@ Vertices chosen(const Vertices& from, const Vertices& places) {
   result.reserve(places.size());
   for (const std::uint32_t i : places) result.push_back(from[i]);
   return result;
-}
-
-/// The vertices set by set, in their sequence.
-Vertices by_set(const Vertices& set_of) {
-  Vertices order(set_of.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t v) { return set_of[v]; });
-  return order;
 }
 
 /// Divides again and again, numbering the sets in the sequence of their elimination.
@@ -119,8 +110,10 @@ OrderResult nested_dissection(const CsrGraph& graph, const NestedDissectionOptio
   if (options.tries == 0) throw InputError("options", "no tries", "give at least 1");
   Dissection dissection(vertex_count(graph), options);
   dissection.divide({detail::weighted_graph(graph, {}, {}), natural_order(graph)});
-  if (dissection.stopped()) return {by_set(dissection.set_of()), OrderOutcome::stopped};
-  return {detail::constrained_minimum_degree(graph, dissection.set_of()), OrderOutcome::done};
+  detail::StepCounter steps(options.progress, "minimum degree", vertex_count(graph));
+  std::vector<std::uint32_t> order = detail::constrained_minimum_degree(graph, dissection.set_of(), steps);
+  const bool stopped = dissection.stopped() || steps.stopped();
+  return {std::move(order), stopped ? OrderOutcome::stopped : OrderOutcome::done};
 }
 
 }  // namespace leonhard::graph
