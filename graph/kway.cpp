@@ -127,7 +127,7 @@ class Partitioner {
     }
     KwayFlow flow(graph, std::vector(parts_, KwayFlow::Room{mean, limit}), part_of, random_);
     for (std::uint32_t i = 0; i < settings.flows && !progress_.stop_requested(); ++i)
-      if (flow.round(settings.reach, progress_.stop) == 0) break;
+      if (flow.round(settings.strip, progress_.stop) == 0) break;
   }
 
   /// The better of two at random.
@@ -159,19 +159,19 @@ class Partitioner {
 
 KwaySettings settings_of(Effort effort) {
   KwaySettings settings;
-  settings.finest = {.patience = 5, .searches = 2, .flows = 2, .reach = 4};
+  settings.finest = {.patience = 5, .searches = 2, .flows = 2, .strip = {4, 6}};
   switch (effort) {
     case Effort::low:
       settings.coarsest = 200;
       settings.bisection.repeats = 1;
       settings.finest.flows = 1;
-      settings.finest.reach = 2;
+      settings.finest.strip.reach = 2;
       break;
     case Effort::normal:
       break;
     case Effort::high:
       settings.bisection = {.coarsest = 80, .tries = 10, .repeats = 10};
-      settings.coarse = settings.finest = {.patience = 15, .searches = 5, .flows = 5, .reach = 8};
+      settings.coarse = settings.finest = {.patience = 15, .searches = 5, .flows = 5, .strip = {8, 100}};
       settings.population = 8;
       settings.combinations = 40;
       break;

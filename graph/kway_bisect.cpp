@@ -96,10 +96,10 @@ void refine(const KwayGraph& graph, const BisectionGoal& goal, Bisection& bisect
   bisection.cut = fm.refine(bisection.side, passes);
   bisection.excess = fm.excess();
   if (bisection.excess > 0 || bisection.cut == 0) return;
-  constexpr double reach = 4;
+  constexpr KwayFlow::Strip strip{4, 100};
   KwayFlow flow(graph, {{goal.target[0], goal.limit[0]}, {goal.target[1], goal.limit[1]}}, bisection.side,
                 random);
-  bisection.cut -= flow.round(reach, stop);
+  bisection.cut -= flow.round(strip, stop);
 }
 
 Bisection descend_and_rise(const KwayGraph& graph, const BisectionGoal& goal,

@@ -87,6 +87,14 @@ std::int64_t KwayFlow::budget(std::uint32_t receiver, double reach) const {
          static_cast<std::int64_t>((reach - 1) * static_cast<double>(limit - target));
 }
 
+/// What a boundary's vertices in one part weigh, or some vertices of mean weight if that is more.
+std::int64_t KwayFlow::breadth(std::uint32_t part, std::span<const std::uint32_t> boundary) const {
+  constexpr std::int64_t least = 50;
+  std::int64_t weight = 0;
+  for (const std::uint32_t v : boundary) weight += part_of_[v] == part ? graph_.vertex_weight[v] : 0;
+  return std::max(weight, least * graph_.total_weight / graph_.size());
+}
+
 /// By how much the worse part of a pair is over its limit (negative: it has room).
 std::int64_t KwayFlow::excess(const Pair& pair, std::int64_t weight_of_a) const {
   const std::int64_t weight_of_b = weight_[pair.a] + weight_[pair.b] - weight_of_a;
@@ -94,11 +102,11 @@ std::int64_t KwayFlow::excess(const Pair& pair, std::int64_t weight_of_a) const 
 }
 
 /// returns whether the partition changed
-bool KwayFlow::improve(const Pair& pair, double reach) {
+bool KwayFlow::improve(const Pair& pair, const Strip& strip) {
   const auto [a, b, boundary] = pair;
   strip_.clear();
-  grow_strip(boundary, a, budget(b, reach));
-  grow_strip(boundary, b, budget(a, reach));
+  grow_strip(boundary, a, std::min(budget(b, strip.reach), strip.depth * breadth(a, boundary)));
+  grow_strip(boundary, b, std::min(budget(a, strip.reach), strip.depth * breadth(b, boundary)));
   const std::int64_t cut = build_network(a, b);
   const std::int64_t flow = cut == 0 ? cut : flow_.maximum(cut + 1);
   bool done = false;
@@ -125,16 +133,17 @@ bool KwayFlow::improve(const Pair& pair, double reach) {
     }
   }
   for (const std::uint32_t v : strip_) local_[v] = none;
-  if (!done && flow < cut && reach > 1) return improve(pair, reach > 2 ? reach / 2 : 1);
+  if (!done && flow < cut && strip.reach > 1)
+    return improve(pair, {strip.reach > 2 ? strip.reach / 2 : 1, strip.depth});
   return done;
 }
 
-std::int64_t KwayFlow::round(double reach, const std::stop_token& stop) {
+std::int64_t KwayFlow::round(const Strip& strip, const std::stop_token& stop) {
   gained_ = 0;
   changed_.assign(parts_, 0);
   for (const Pair& pair : touching_pairs()) {
     if (stop.stop_requested()) break;
-    if (improve(pair, reach)) changed_[pair.a] = changed_[pair.b] = 1;
+    if (improve(pair, strip)) changed_[pair.a] = changed_[pair.b] = 1;
   }
   active_ = changed_;
   return gained_;

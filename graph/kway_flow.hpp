@@ -24,6 +24,12 @@ class KwayFlow {
     std::int64_t target, limit;
   };
 
+  /// How wide the strip at a boundary is that a flow may change.
+  struct Strip {
+    double reach;        ///< 1: what could change sides within the limit; larger ones are tried first
+    std::int64_t depth;  ///< on each side at most so many times the boundary's weight, see breadth
+  };
+
   /// graph, part_of  must outlive the refiner; part_of is changed in place
   /// room            of each part; one that kept its limit before keeps it
   KwayFlow(const KwayGraph& graph, std::vector<Room> room, std::vector<std::uint32_t>& part_of,
@@ -31,10 +37,8 @@ class KwayFlow {
 
   /// Every pair of parts that touch once; in later rounds those of which one part changed in the round before.
   ///
-  /// reach    how wide the strip at the boundary is: 1 takes as much as could change sides without breaking the
-  ///          limit, larger strips are tried first where asked for
   /// returns  by how much the cut became less
-  std::int64_t round(double reach, const std::stop_token& stop);
+  std::int64_t round(const Strip& strip, const std::stop_token& stop);
 
  private:
   struct Pair {
@@ -44,8 +48,9 @@ class KwayFlow {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   [[nodiscard]] std::vector<Pair> touching_pairs();
-  bool improve(const Pair& pair, double reach);
+  bool improve(const Pair& pair, const Strip& strip);
   [[nodiscard]] std::int64_t budget(std::uint32_t receiver, double reach) const;
+  [[nodiscard]] std::int64_t breadth(std::uint32_t part, std::span<const std::uint32_t> boundary) const;
   [[nodiscard]] std::int64_t excess(const Pair& pair, std::int64_t weight_of_a) const;
   void grow_strip(std::span<const std::uint32_t> boundary, std::uint32_t part, std::int64_t budget);
   [[nodiscard]] std::int64_t build_network(std::uint32_t a, std::uint32_t b);

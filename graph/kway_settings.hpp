@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "leonhard/graph/kway_flow.hpp"
 #include "leonhard/graph/partition.hpp"
 
 namespace leonhard::graph::detail {
@@ -16,10 +17,10 @@ struct BisectionSettings {
 
 /// How a partition is refined on one level.
 struct RefinementSettings {
-  std::uint32_t patience = 3;  ///< moves without a better cut that end a local search
-  std::uint32_t searches = 3;  ///< rounds of local searches at most
-  std::uint32_t flows = 1;     ///< rounds of flows at most
-  double reach = 3;            ///< of the flows, see KwayFlow::round
+  std::uint32_t patience = 3;   ///< moves without a better cut that end a local search
+  std::uint32_t searches = 3;   ///< rounds of local searches at most
+  std::uint32_t flows = 1;      ///< rounds of flows at most
+  KwayFlow::Strip strip{3, 6};  ///< of the flows
 };
 
 /// How hard the multilevel k-way partitioner tries.
