@@ -171,7 +171,7 @@ KwaySettings settings_of(Effort effort) {
       break;
     case Effort::high:
       settings.bisection = {.coarsest = 80, .tries = 10, .repeats = 10};
-      settings.coarse = settings.finest = {.patience = 15, .searches = 5, .flows = 5, .strip = {8, 100}};
+      settings.coarse = settings.finest = {.patience = 15, .searches = 5, .flows = 5, .strip = {8, 16}};
       settings.population = 8;
       settings.combinations = 40;
       break;
