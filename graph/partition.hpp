@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -96,6 +99,17 @@ enum class PartitionMethod {
   spectral,              ///< recursive_spectral_bisection
   multilevel,            ///< multilevel k-way: coarsen, bisect, refine; the least cut by far
 };
+
+/// The methods' names in files and on the command line.
+inline constexpr std::array<std::pair<std::string_view, PartitionMethod>, 6> named_partition_methods{{
+    {"coordinate", PartitionMethod::coordinate},
+    {"inertial", PartitionMethod::inertial},
+    {"cuthill-mckee", PartitionMethod::cuthill_mckee},
+    {"cuthill-mckee-levels", PartitionMethod::cuthill_mckee_levels},
+    {"spectral", PartitionMethod::spectral},
+    {"multilevel", PartitionMethod::multilevel},
+}};
+[[nodiscard]] std::string_view name_of(PartitionMethod method);
 
 /// How long the multilevel method tries: on meshes, times METIS' k-way method about as long, three times, and a hundred
 /// times and more.

@@ -34,8 +34,6 @@ constexpr std::pair<std::string_view, LimiterChoice> limiter_words[] = {
     {"none", LimiterChoice::none}};
 constexpr std::pair<std::string_view, OrderChoice> order_words[] = {
     {"reverse-cuthill-mckee", OrderChoice::reverse_cuthill_mckee}, {"none", OrderChoice::none}};
-constexpr std::pair<std::string_view, PartitionChoice> partition_words[] = {
-    {"spectral", PartitionChoice::spectral}, {"coordinate", PartitionChoice::coordinate}};
 
 constexpr auto ready_mesh_reason = "the case gives a ready mesh, which is taken as it is";
 constexpr auto domain_reason = "the case gives the whole domain in a file";
@@ -259,8 +257,9 @@ Case read_sections(CaseLog& log, const toml::table* root) {
   c.ordering = top.section("order").choice("method", std::optional(c.ordering),
                                            SectionReader::Words<OrderChoice>(order_words));
   SectionReader partition = top.section("partition");
-  c.partitioning = partition.choice("method", std::optional(c.partitioning),
-                                    SectionReader::Words<PartitionChoice>(partition_words));
+  c.partitioning =
+      partition.choice("method", std::optional(c.partitioning),
+                       SectionReader::Words<graph::PartitionMethod>(graph::named_partition_methods));
   c.parts =
       static_cast<std::size_t>(partition.integer("parts", static_cast<std::int64_t>(c.parts), 1, 1'000'000));
   c.output = read_output(top.section("output"), c);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/point.hpp"
 
 namespace leonhard::app {
@@ -19,7 +20,6 @@ enum class TrailingEdge { sharp, open, closed };  ///< body.trailing_edge, see g
 enum class MarchingChoice { implicit_ptc, explicit_multistage };      ///< solver.marching
 enum class LimiterChoice { venkatakrishnan, barth_jespersen, none };  ///< solver.limiter
 enum class OrderChoice { reverse_cuthill_mckee, none };               ///< order.method
-enum class PartitionChoice { spectral, coordinate };                  ///< partition.method
 
 /// One [[body]]. Lengths called "chords" are multiples of [reference] length.
 struct BodyCase {
@@ -113,7 +113,7 @@ struct Case {
   ReferenceCase reference;
   SolverCase solver;
   OrderChoice ordering = OrderChoice::reverse_cuthill_mckee;
-  PartitionChoice partitioning = PartitionChoice::spectral;
+  graph::PartitionMethod partitioning = graph::PartitionMethod::spectral;
   std::size_t parts = 8;
   OutputCase output;
 

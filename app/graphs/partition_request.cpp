@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -21,21 +20,11 @@ namespace leonhard::app {
 namespace {
 
 using graph::Effort;
-using graph::PartitionMethod;
 using graph::PartitionOutcome;
-
-constexpr std::array<std::pair<std::string_view, PartitionMethod>, 6> named_methods{{
-    {"coordinate", PartitionMethod::coordinate},
-    {"inertial", PartitionMethod::inertial},
-    {"cuthill-mckee", PartitionMethod::cuthill_mckee},
-    {"cuthill-mckee-levels", PartitionMethod::cuthill_mckee_levels},
-    {"spectral", PartitionMethod::spectral},
-    {"multilevel", PartitionMethod::multilevel},
-}};
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const auto& known : named_methods) names.emplace_back(known.first);
+  for (const auto& known : graph::named_partition_methods) names.emplace_back(known.first);
 #ifdef LEONHARD_HAS_METIS
   names.insert(names.end(), {"metis", "metis-recursive"});
 #endif
@@ -93,7 +82,7 @@ Partitioner::Partitioner(const AnyGraph& input, const std::string& source, const
                      "partitions balance one weight a vertex");
   vertex_weights_ = as_weights(input.vertex_weights, source);
   edge_weights_ = as_weights(input.edge_weights, source);
-  for (const auto& [name, method] : named_methods)
+  for (const auto& [name, method] : graph::named_partition_methods)
     if (name == method_) options_.method = method;
   options_.effort = effort_named(request.effort);
   options_.imbalance = request.imbalance;

@@ -79,7 +79,7 @@ Json ordering_json(const SolveRun& run) {
 
 Json partition_json(const SolveRun& run) {
   const graph::PartitionCost& cost = run.partition_cost;
-  return {{"method", run.the_case.partitioning == PartitionChoice::spectral ? "spectral" : "coordinate"},
+  return {{"method", graph::name_of(run.the_case.partitioning)},
           {"parts", run.triangle_parts.parts},
           {"cut", cost.cut},
           {"imbalance", cost.imbalance},

@@ -173,20 +173,19 @@ std::string step_order(SolveRun& run) {
 
 std::string step_partition(SolveRun& run, std::uint64_t seed, std::stop_token stop) {
   const graph::CsrGraph dual = graph::dual_graph(run.mesh);
-  const auto parts = static_cast<std::uint32_t>(run.the_case.parts);
-  if (run.the_case.partitioning == PartitionChoice::spectral) {
-    Progress progress;
-    progress.stop = stop;
-    run.triangle_parts = graph::recursive_spectral_bisection(dual, parts, seed, progress);
-  } else {
-    std::vector<Point2> centroids;
-    centroids.reserve(run.mesh.triangle_count());
-    for (const auto& [a, b, c] : run.mesh.corners) {
-      const Point2 p = run.mesh.points[a], q = run.mesh.points[b], r = run.mesh.points[c];
-      centroids.push_back({(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3});
-    }
-    run.triangle_parts = graph::recursive_coordinate_bisection(centroids, parts);
+  const auto parts = static_cast<std::uint32_t>(std::min(run.the_case.parts, run.mesh.triangle_count()));
+  std::vector<Point2> centroids;
+  centroids.reserve(run.mesh.triangle_count());
+  for (const auto& [a, b, c] : run.mesh.corners) {
+    const Point2 p = run.mesh.points[a], q = run.mesh.points[b], r = run.mesh.points[c];
+    centroids.push_back({(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3});
   }
+  graph::PartitionOptions options;
+  options.method = run.the_case.partitioning;
+  options.seed = seed;
+  options.coordinates = std::span<const Point2>(centroids);
+  options.progress.stop = std::move(stop);
+  run.triangle_parts = graph::partition(dual, parts, options);
   run.partition_cost = graph::partition_cost(dual, run.triangle_parts);
   return fmt::format("{} parts, {} edges cut, imbalance {:.3f}", parts, grouped(run.partition_cost.cut),
                      run.partition_cost.imbalance);

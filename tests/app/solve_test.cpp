@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -66,6 +67,27 @@ TEST_CASE("solve_gives_the_same_bits_for_one_and_two_threads") {
   CHECK(one["mesh"]["fingerprint"] == two["mesh"]["fingerprint"]);
   CHECK(text_of(scratch.path() / "one/surface.csv") == text_of(scratch.path() / "two/surface.csv"));
   CHECK(one["residual_drop_orders"] == two["residual_drop_orders"]);
+}
+
+TEST_CASE("a_case_cuts_its_mesh_by_any_method_and_into_no_more_parts_than_triangles") {
+  const ScratchFolder scratch;
+  std::map<std::string, std::size_t> cut;
+  for (const char* method : {"coordinate", "cuthill-mckee", "spectral", "multilevel"}) {
+    scratch.write("case.toml",
+                  std::string(coarse_case) + "method = \"" + method + "\"\n[solver]\nmax_iterations = 2\n");
+    const json report =
+        json::parse(run("solve case.toml -o " + std::string(method) + " --json", scratch.path()).out);
+    CHECK(report["partition"]["method"] == method);
+    CHECK(report["partition"]["parts"] == 4);
+    cut[method] = report["partition"]["cut"];
+  }
+  CHECK(cut["multilevel"] < cut["spectral"]);
+  CHECK(cut["spectral"] < cut["cuthill-mckee"]);
+  std::string many = coarse_case;
+  many.replace(many.find("parts = 4"), 9, "parts = 1000000");
+  scratch.write("case.toml", many + "[solver]\nmax_iterations = 2\n");
+  const json report = json::parse(run("solve case.toml -o many --json", scratch.path()).out);
+  CHECK(report["partition"]["parts"] == report["mesh"]["triangles"]);
 }
 
 TEST_CASE("a_goal_not_met_is_code_3_and_says_which") {

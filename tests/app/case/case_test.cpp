@@ -135,7 +135,7 @@ close_up = [0, 1, 2, 3]
   CHECK(c.solver.limiter == LimiterChoice::barth_jespersen);
   CHECK(c.solver.cfl_max == 30.0);
   CHECK(c.ordering == OrderChoice::none);
-  CHECK(c.partitioning == PartitionChoice::coordinate);
+  CHECK(c.partitioning == leonhard::graph::PartitionMethod::coordinate);
   CHECK(c.parts == 3);
   CHECK(c.output.close_up.value()[3] == 3);
 }
