@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "tests/app/program.hpp"
 
 using leonhard::test::beam;
+using leonhard::test::numbers_of;
 using leonhard::test::Ran;
 using leonhard::test::run;
 using leonhard::test::ScratchFolder;
@@ -31,13 +31,6 @@ json report_of(const ScratchFolder& scratch, const std::string& arguments) {
   CAPTURE(ran.err);
   REQUIRE(ran.exit_code == 0);
   return json::parse(ran.out);
-}
-
-std::vector<int> numbers_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<int> numbers;
-  for (int x; in >> x;) numbers.push_back(x);
-  return numbers;
 }
 
 }  // namespace
@@ -121,8 +114,8 @@ TEST_CASE("communicate_colours_vertices_and_edges_for_threaded_loops") {
   CHECK(loops["edge_colours"] == 6);
   CHECK(loops["edge_colours_are_fewest"] == true);
   CHECK(json::parse(text_of(scratch.path() / "r.json"))["loops"] == loops);
-  const std::vector<int> of_vertex = numbers_of(text_of(scratch.path() / "v.txt")),
-                         of_edge = numbers_of(text_of(scratch.path() / "e.txt"));
+  const std::vector<int> of_vertex = numbers_of(scratch.path() / "v.txt"),
+                         of_edge = numbers_of(scratch.path() / "e.txt");
   REQUIRE(of_vertex.size() == 7);
   REQUIRE(of_edge.size() == 3 * 12);
   std::set<std::pair<int, int>> seen;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "tests/app/program.hpp"
 
 using leonhard::test::beam;
+using leonhard::test::numbers_of;
 using leonhard::test::Ran;
 using leonhard::test::run;
 using leonhard::test::ScratchFolder;
@@ -30,13 +30,6 @@ std::string path_graph(int n) {
   return text;
 }
 
-std::vector<int> numbers_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<int> numbers;
-  for (int x; in >> x;) numbers.push_back(x);
-  return numbers;
-}
-
 }  // namespace
 
 TEST_CASE("partition_of_a_path_cuts_it_between_the_parts_and_writes_one_part_a_line") {
@@ -50,7 +43,7 @@ TEST_CASE("partition_of_a_path_cuts_it_between_the_parts_and_writes_one_part_a_l
   CHECK(report["cut"] == 3);
   CHECK(report["sizes"] == json({10, 10, 10, 10}));
   CHECK(report["max_components"] == 1);
-  const std::vector<int> parts = numbers_of(text_of(scratch.path() / "parts.txt"));
+  const std::vector<int> parts = numbers_of(scratch.path() / "parts.txt");
   REQUIRE(parts.size() == 40);
   for (int part = 0; part < 4; ++part) CHECK(std::ranges::count(parts, part) == 10);
 }

@@ -46,4 +46,11 @@ std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+std::vector<int> numbers_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::vector<int> numbers;
+  for (int number; in >> number;) numbers.push_back(number);
+  return numbers;
+}
+
 }  // namespace leonhard::test

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace leonhard::test {
 
@@ -32,5 +33,8 @@ class ScratchFolder {
 };
 
 [[nodiscard]] std::string text_of(const std::filesystem::path& file);
+
+/// The whole numbers with which a file begins.
+[[nodiscard]] std::vector<int> numbers_of(const std::filesystem::path& file);
 
 }  // namespace leonhard::test
