@@ -94,6 +94,7 @@ class Communicator {
 Json report_of(const CommunicateCommand& command, const AnyGraph& input, const Answer& answer) {
   Json report{{"input", command.input},
               {"vertices", graph::vertex_count(input.graph)},
+              {"of", vertices_are(input, command.request.graph_of())},
               {"edges", graph::edge_count(input.graph)},
               {"seed", command.common.seed}};
   report.update(partition_report(answer.partition, answer.partition_cost, command.request));
@@ -110,18 +111,17 @@ Json report_of(const CommunicateCommand& command, const AnyGraph& input, const A
 
 std::string text_of(const CommunicateCommand& command, const AnyGraph& input, const Answer& answer) {
   const graph::PartitionCost& cost = answer.partition_cost;
-  std::string text =
-      fmt::format("{:<12}{} vertices, {} edges\n", "graph", grouped(graph::vertex_count(input.graph)),
-                  grouped(graph::edge_count(input.graph)));
+  const std::string_view of = vertices_are(input, command.request.graph_of());
+  std::string text = graph_text(graph::vertex_count(input.graph), graph::edge_count(input.graph), of);
   text +=
       fmt::format("{:<12}{} {}; {} cut edges, imbalance {:.4f}\n", "parts", grouped(answer.partition.parts),
                   command.parts_file.empty()
                       ? fmt::format("by {}: {}", command.request.method, word(answer.partition.outcome))
                       : "from " + command.parts_file,
                   grouped(cost.cut), cost.imbalance);
-  text += parts_text(cost, answer.communication);
+  text += parts_text(cost, answer.communication, of);
   text += communication_text(answer.communication);
-  text += loop_colours_text(answer.loops);
+  text += loop_colours_text(answer.loops, of);
   if (!answer.what_if.empty()) text += "\n" + what_if_text(answer.what_if);
   return text;
 }

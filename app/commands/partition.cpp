@@ -35,6 +35,7 @@ Json report_of(const PartitionCommand& command, const AnyGraph& input, const gra
                const graph::PartitionCost& cost) {
   Json report{{"input", command.input},
               {"vertices", graph::vertex_count(input.graph)},
+              {"of", vertices_are(input, command.request.graph_of())},
               {"edges", graph::edge_count(input.graph)},
               {"seed", command.common.seed}};
   report.update(partition_report(partition, cost, command.request));

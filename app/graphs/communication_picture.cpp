@@ -85,7 +85,7 @@ class ExchangesDiagram {
     const draw::Stroke stroke = stroke_of_cycle(cycle, few_parts() ? 2.6 : 1.2);
     diagram.add_segment(a, b, stroke);
     if (few_exchanges())
-      diagram.words.push_back({a + 0.5 * (b - a),
+      diagram.words.push_back({a + 0.38 * (b - a),
                                fmt::format("{} / {}", exchange.forwards, exchange.backwards),
                                {0, 0.7},
                                stroke.colour});

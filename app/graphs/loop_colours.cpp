@@ -19,7 +19,7 @@ std::vector<std::size_t> sizes_of(const graph::Colouring& colouring) {
   return sizes;
 }
 
-std::string range_text(const graph::Colouring& colouring, const char* what) {
+std::string range_text(const graph::Colouring& colouring, std::string_view what) {
   const std::vector<std::size_t> sizes = sizes_of(colouring);
   if (sizes.empty()) return fmt::format("0 {}", what);
   const auto [least, most] = std::ranges::minmax(sizes);
@@ -49,9 +49,9 @@ Json to_json(const LoopColours& colours) {
           {"edge_colours_greedily", colours.edges_greedily.colours}};
 }
 
-std::string loop_colours_text(const LoopColours& colours) {
-  std::string text = fmt::format("{:<12}vertices in {} colours, {}\n", "loops", colours.vertices.colours,
-                                 range_text(colours.vertices, "vertices"));
+std::string loop_colours_text(const LoopColours& colours, std::string_view of) {
+  std::string text = fmt::format("{:<12}{} in {} colours, {}\n", "loops", of, colours.vertices.colours,
+                                 range_text(colours.vertices, of));
   text += fmt::format("{:<12}edges in {} colours{}, {}; the largest degree is {}; greedily {} colours\n", "",
                       colours.edges.colours, colours.edges.certain ? ", the fewest there can be" : "",
                       range_text(colours.edges, "edges"), colours.max_degree, colours.edges_greedily.colours);

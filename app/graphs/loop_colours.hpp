@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/graph/colouring.hpp"
@@ -23,9 +24,9 @@ struct LoopColours {
 [[nodiscard]] LoopColours loop_colours(const graph::CsrGraph& graph,
                                        const graph::EdgeColouringOptions& options);
 
-/// Counts of colours, and of what has each.
+/// Counts of colours, and of what has each; in the text vertices are named `of` (vertices_are).
 [[nodiscard]] Json to_json(const LoopColours& colours);
-[[nodiscard]] std::string loop_colours_text(const LoopColours& colours);
+[[nodiscard]] std::string loop_colours_text(const LoopColours& colours, std::string_view of);
 
 /// The colour of each vertex on a line, and of each edge after its ends, smaller end first: "3 17 0". All numbers begin
 /// at 0. Files appear whole or not at all. throws OutputError

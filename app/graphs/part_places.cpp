@@ -47,7 +47,7 @@ bool are_crowded(const std::vector<Point2>& places) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  const double near = 0.08 * std::max(high.x - low.x, high.y - low.y);
+  const double near = 0.15 * std::max(high.x - low.x, high.y - low.y);
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (distance(places[i], places[k]) <= near) return true;

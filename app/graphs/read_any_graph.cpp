@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/graphs/read_any_graph.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
+#include "leonhard/app/console.hpp"
 #include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/file_dimension.hpp"
@@ -99,6 +102,16 @@ AnyGraph read_any_graph(const std::filesystem::path& path, GraphOf which) {
   }
   MeshFile file = io::read_mesh(path);
   return graph_of_mesh(std::move(file.mesh), std::move(file.warnings), 2, which);
+}
+
+std::string_view vertices_are(const AnyGraph& graph, GraphOf which) {
+  if (which == GraphOf::vertices || !graph.has_mesh()) return "vertices";
+  return graph.triangles() != nullptr ? "triangles" : "tetrahedra";
+}
+
+std::string graph_text(std::uint64_t vertices, std::uint64_t edges, std::string_view of) {
+  return fmt::format("{:<12}{} vertices{}, {} edges\n", "graph", grouped(vertices),
+                     of == "vertices" ? std::string() : fmt::format(" (the {})", of), grouped(edges));
 }
 
 Json graph_report(const std::string& input, const AnyGraph& graph) {

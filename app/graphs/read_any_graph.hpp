@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -46,6 +47,12 @@ struct AnyGraph {
 
 /// Whether the extension is that of a graph and not of a mesh.
 [[nodiscard]] bool is_graph_file(const std::filesystem::path& path);
+
+/// What the graph's vertices are: "triangles" or "tetrahedra" of a mesh's dual graph, else "vertices".
+[[nodiscard]] std::string_view vertices_are(const AnyGraph& graph, GraphOf which);
+
+/// The graph's size in a line, and what its vertices are.
+[[nodiscard]] std::string graph_text(std::uint64_t vertices, std::uint64_t edges, std::string_view of);
 
 /// Counts of a graph, with which the report of `order` begins.
 [[nodiscard]] Json graph_report(const std::string& input, const AnyGraph& graph);

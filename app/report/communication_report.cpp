@@ -97,7 +97,8 @@ std::string communication_text(const Communication& communication) {
   return text;
 }
 
-std::string parts_text(const graph::PartitionCost& cost, const Communication& communication) {
+std::string parts_text(const graph::PartitionCost& cost, const Communication& communication,
+                       std::string_view of) {
   const std::vector<std::uint64_t> sent = values_sent(communication);
   std::vector<std::size_t> shown(cost.sizes.size());
   std::iota(shown.begin(), shown.end(), std::size_t{0});
@@ -113,7 +114,7 @@ std::string parts_text(const graph::PartitionCost& cost, const Communication& co
     return all > 0 ? static_cast<double>(cost.weights[part]) * static_cast<double>(cost.sizes.size()) / all
                    : 1;
   };
-  text += fmt::format("{:>8}{:>12}{:>10}{:>8}{:>12}{:>10}{:>10}\n", "part", "vertices", "to mean", "pieces",
+  text += fmt::format("{:>8}{:>12}{:>10}{:>8}{:>12}{:>10}{:>10}\n", "part", of, "to mean", "pieces",
                       "neighbours", "halo", "sends");
   for (const std::size_t part : shown)
     text += fmt::format("{:>8}{:>12}{:>10.4f}{:>8}{:>12}{:>10}{:>10}\n", part, grouped(cost.sizes[part]),

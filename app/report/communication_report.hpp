@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/graph/communication.hpp"
@@ -28,8 +29,9 @@ struct Communication {
 /// The same for people, with the exchanges if all of them fit some lines.
 [[nodiscard]] std::string communication_text(const Communication& communication);
 
-/// A line a part: vertices, weight over the mean weight, pieces, neighbours, halo, values sent; of the largest 40 parts
+/// A line a part: vertices (named `of`, see vertices_are), weight over the mean weight, pieces, neighbours, halo, values sent; of the largest 40 parts
 /// those with the longest halo.
-[[nodiscard]] std::string parts_text(const graph::PartitionCost& cost, const Communication& communication);
+[[nodiscard]] std::string parts_text(const graph::PartitionCost& cost, const Communication& communication,
+                                     std::string_view of);
 
 }  // namespace leonhard::app

@@ -32,17 +32,17 @@ Json partition_report(const graph::Partition& partition, const graph::PartitionC
 
 std::string partition_report_text(const Json& report) {
   const auto count = [&](const char* key) { return grouped(report[key].get<std::uint64_t>()); };
-  std::string text = fmt::format("{:<12}{} vertices, {} edges\n", "graph", count("vertices"), count("edges"));
+  const auto of = report["of"].get<std::string>();
+  std::string text = graph_text(report["vertices"], report["edges"], of);
   text += fmt::format("{:<12}{} by {}: {}\n", "parts", count("parts"), report["method"].get<std::string>(),
                       report["outcome"].get<std::string>());
   text += fmt::format("{:<12}{} edges, weight {}\n", "cut", count("cut"), count("cut_weight"));
-  text += fmt::format("{:<12}{} to {} vertices, imbalance {:.4f} (allowed {:g})\n", "balance",
-                      count("smallest"), count("largest"), report["imbalance"].get<double>(),
+  text += fmt::format("{:<12}{} to {} {}, imbalance {:.4f} (allowed {:g})\n", "balance", count("smallest"),
+                      count("largest"), of, report["imbalance"].get<double>(),
                       report["imbalance_allowed"].get<double>());
   text += fmt::format("{:<12}{} at most in a part\n", "components", count("max_components"));
   text += fmt::format("{:<12}{} at most\n", "neighbours", count("max_neighbours"));
-  text +=
-      fmt::format("{:<12}{} vertices at most, {} in all\n", "halo", count("max_halo"), count("total_halo"));
+  text += fmt::format("{:<12}{} {} at most, {} in all\n", "halo", count("max_halo"), of, count("total_halo"));
   return text;
 }
 

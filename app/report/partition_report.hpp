@@ -10,7 +10,8 @@ namespace leonhard::app {
 [[nodiscard]] Json partition_report(const graph::Partition& partition, const graph::PartitionCost& cost,
                                     const PartitionRequest& request);
 
-/// The same for people: the totals, one a line. The report must have the graph's `vertices` and `edges` too.
+/// The same for people: the totals, one a line. The report must have the graph's `vertices` and `edges` too, and in `of`
+/// what its vertices are (vertices_are).
 [[nodiscard]] std::string partition_report_text(const Json& report);
 
 }  // namespace leonhard::app

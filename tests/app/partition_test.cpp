@@ -76,6 +76,19 @@ TEST_CASE("partition_of_a_beam_of_tetrahedra_cuts_it_between_two_cubes") {
   }
 }
 
+TEST_CASE("partition_says_what_it_shares_out") {
+  const ScratchFolder scratch;
+  scratch.write("beam.mesh", beam(2));
+  const Ran cells = run("partition beam.mesh -k 2", scratch.path());
+  CHECK(cells.out.find("12 vertices (the tetrahedra), ") != std::string::npos);
+  CHECK(cells.out.find("6 to 6 tetrahedra, ") != std::string::npos);
+  const Ran vertices = run("partition beam.mesh -k 2 --of vertices", scratch.path());
+  CHECK(vertices.out.find("12 vertices, ") != std::string::npos);
+  CHECK(vertices.out.find("6 to 6 vertices, ") != std::string::npos);
+  CHECK(json::parse(run("partition beam.mesh -k 2 --json", scratch.path()).out)["of"] == "tetrahedra");
+  CHECK(run("communicate beam.mesh -k 2", scratch.path()).out.find("tetrahedra in ") != std::string::npos);
+}
+
 TEST_CASE("partition_of_the_vertices_of_a_beam_names_the_part_of_each_point") {
   const ScratchFolder scratch;
   scratch.write("beam.mesh", beam(7));
