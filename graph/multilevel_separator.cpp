@@ -2,11 +2,13 @@
 #include "leonhard/graph/multilevel_separator.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "leonhard/graph/kway_coarsen.hpp"
 #include "leonhard/graph/separator_flow.hpp"
+#include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph::detail {
 namespace {
@@ -72,6 +74,13 @@ FoundSeparator descend_and_rise(const KwayGraph& graph, std::int64_t limit, Rand
 }
 
 }  // namespace
+
+void check_separator_options(double largest_side, std::uint32_t tries) {
+  if (!(largest_side > 0.5) || largest_side > 1 || tries == 0)
+    throw InputError("options",
+                     "largest side " + std::to_string(largest_side) + ", " + std::to_string(tries) + " tries",
+                     "give a side in (1/2, 1] and at least one try");
+}
 
 FoundSeparator multilevel_separator(const KwayGraph& graph, double largest_side, std::uint32_t tries,
                                     Random& random, const std::stop_token& stop) {

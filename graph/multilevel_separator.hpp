@@ -16,10 +16,13 @@ struct FoundSeparator {
   SeparatorQuality quality{};
 };
 
-/// The best of several separators of a connected graph with weights.
+/// throws  InputError if largest_side is not in (1/2, 1] or tries is 0
+void check_separator_options(double largest_side, std::uint32_t tries);
+
+/// The best of several separators of a graph with weights.
 ///
-/// largest_side  of the graph's weight, above 1/2
-/// tries         at least 1. Large graphs are coarsened once to a size at which many tries cost little.
+/// largest_side  of the graph's weight; it and tries as check_separator_options wants them
+/// tries         Large graphs are coarsened once to a size at which many tries cost little.
 /// Method: as vertex_separator.
 [[nodiscard]] FoundSeparator multilevel_separator(const KwayGraph& graph, double largest_side,
                                                   std::uint32_t tries, Random& random,

@@ -107,7 +107,7 @@ class Dissection {
 
 OrderResult nested_dissection(const CsrGraph& graph, const NestedDissectionOptions& options) {
   if (options.leaf == 0) throw InputError("options", "leaves of 0 vertices", "give at least 1");
-  if (options.tries == 0) throw InputError("options", "no tries", "give at least 1");
+  detail::check_separator_options(options.largest_side, options.tries);
   Dissection dissection(vertex_count(graph), options);
   dissection.divide({detail::weighted_graph(graph, {}, {}), natural_order(graph)});
   detail::StepCounter steps(options.progress, "minimum degree", vertex_count(graph));

@@ -19,7 +19,7 @@ struct NestedDissectionOptions {
 /// pieces and separators the sequence is that of minimum degree, which sees the separators around.
 ///
 /// returns  stopped: within what is divided so far, vertices keep their sequence
-/// throws   InputError if leaf or tries is 0
+/// throws   InputError if leaf or tries is 0, or largest_side not in (1/2, 1]
 /// Cost on meshes O(n log n).
 /// Method: George, SIAM J. Numer. Anal. 10 (1973) 345-363; vertex_separator; constrained minimum degree.
 OrderResult nested_dissection(const CsrGraph& graph, const NestedDissectionOptions& options = {});

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/graph/separator.hpp"
 
-#include <string>
-
 #include "leonhard/graph/multilevel_separator.hpp"
-#include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
 
 VertexSeparator vertex_separator(const CsrGraph& graph, const SeparatorOptions& options) {
-  if (!(options.largest_side > 0.5) || options.largest_side > 1 || options.tries == 0)
-    throw InputError("options",
-                     "largest side " + std::to_string(options.largest_side) + ", " +
-                         std::to_string(options.tries) + " tries",
-                     "give a side in (1/2, 1] and at least one try");
+  detail::check_separator_options(options.largest_side, options.tries);
   VertexSeparator result;
   if (vertex_count(graph) == 0) return result;
   const detail::KwayGraph weighted = detail::weighted_graph(graph, {}, {});

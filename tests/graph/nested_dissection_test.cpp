@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stop_token>
 
 #include "leonhard/graph/fill.hpp"
@@ -83,4 +84,6 @@ TEST_CASE("a_stopped_dissection_is_still_an_ordering") {
   CHECK(is_permutation_of_all(graph, found.order));
   CHECK_THROWS_AS(static_cast<void>(nested_dissection(graph, {.leaf = 0})), InputError);
   CHECK_THROWS_AS(static_cast<void>(nested_dissection(graph, {.tries = 0})), InputError);
+  for (const double side : {0.5, -1.0, 1.5, std::nan("")})
+    CHECK_THROWS_AS(static_cast<void>(nested_dissection(graph, {.largest_side = side})), InputError);
 }
