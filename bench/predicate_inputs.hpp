@@ -32,19 +32,25 @@ struct Input {
 template <class Point, std::size_t Count>
 using NamedInputs = std::vector<std::pair<std::string, Input<Point, Count>>>;
 
-/// Points drawn one after another; no call names a point twice.
+/// Calls that name no point twice.
+template <std::size_t Count>
+std::vector<std::array<std::uint32_t, Count>> random_calls(std::size_t calls, std::size_t points,
+                                                           Random& random) {
+  constexpr auto count = static_cast<std::uint32_t>(Count);
+  std::uniform_int_distribution<std::uint32_t> any(0, static_cast<std::uint32_t>(points / count) - 1);
+  std::vector<std::array<std::uint32_t, Count>> drawn(calls);
+  for (auto& call : drawn)
+    for (std::uint32_t j = 0; j < count; ++j) call[j] = count * any(random) + j;  // so they differ
+  return drawn;
+}
+
+/// Points drawn one after another.
 template <class Point, std::size_t Count, class Draw>
-Input<Point, Count> random_calls(Draw draw) {
+Input<Point, Count> random_input(Draw draw) {
   Random random(1);
   Input<Point, Count> input;
   for (std::size_t i = 0; i < point_count; ++i) input.points.push_back(draw(random));
-  constexpr auto count = static_cast<std::uint32_t>(Count);
-  std::uniform_int_distribution<std::uint32_t> any(0, point_count / count - 1);
-  for (std::size_t i = 0; i < call_count; ++i) {
-    std::array<std::uint32_t, Count> call;
-    for (std::uint32_t j = 0; j < count; ++j) call[j] = count * any(random) + j;  // so they differ
-    input.calls.push_back(call);
-  }
+  input.calls = random_calls<Count>(call_count, point_count, random);
   return input;
 }
 
@@ -76,7 +82,7 @@ inline Input<Point2, 4> grid_cells(double origin, double spacing) {
 }
 
 inline NamedInputs<Point2, 4> inputs_of_the_plane() {
-  const auto drawn = [](auto draw) { return random_calls<Point2, 4>(draw); };
+  const auto drawn = [](auto draw) { return random_input<Point2, 4>(draw); };
   return {
       {"uniform", drawn([](Random& r) {
          return Point2{unit(r), unit(r)};
@@ -122,7 +128,7 @@ inline Input<Point3, 5> grid_cells_of_space(double origin, double spacing) {
 }
 
 inline NamedInputs<Point3, 5> inputs_of_space() {
-  const auto drawn = [](auto draw) { return random_calls<Point3, 5>(draw); };
+  const auto drawn = [](auto draw) { return random_input<Point3, 5>(draw); };
   return {
       {"uniform", drawn([](Random& r) {
          return Point3{unit(r), unit(r), unit(r)};

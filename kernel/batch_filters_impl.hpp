@@ -110,34 +110,46 @@ struct InsphereFilter {
 };
 
 template <class Filter, std::size_t... i>
-LEONHARD_INLINE void filter_lanes(const typename Filter::Point* points, const std::uint32_t* ids, Sign* signs,
-                                  std::index_sequence<i...>) {
+LEONHARD_INLINE Filtered filter_lanes(const typename Filter::Point* points, const std::uint32_t* ids,
+                                      std::index_sequence<i...>) {
   const auto first = rows<Filter::points>(points, ids);
-  const Filtered f = Filter::filter(columns(rows<Filter::points>(points, ids + 1 + i) - first)...);
-  store_signs(signs, f.certain, f.determinant);
+  return Filter::filter(columns(rows<Filter::points>(points, ids + 1 + i) - first)...);
 }
 
-/// `stride` ids make a call; calls of too few for the lanes are filled up with point 0.
-template <std::size_t stride, class FilterLanes>
+/// Asks filter_these, which makes a Filtered of the ids of as many calls as there are lanes, about all calls; `stride` ids
+/// make a call. Calls of too few for the lanes are filled up with point 0.
+///
+/// Signs are stored only when the next ones have been computed. Their table lookup and store end a long chain, and loads
+/// that were begun after it would fill the processor's queue of loads: in this order batches take a fifth less time.
+template <std::size_t stride, class FilterThese>
 LEONHARD_INLINE void filter_all(const std::uint32_t* ids, std::size_t count, Sign* signs,
-                                FilterLanes filter_these) {
+                                FilterThese filter_these) {
   std::size_t done = 0;
-  for (; count - done >= lane_count; done += lane_count) filter_these(ids + stride * done, signs + done);
+  if (count >= lane_count) {
+    Filtered now = filter_these(ids);
+    for (; count - done >= 2 * lane_count; done += lane_count) {
+      const Filtered next = filter_these(ids + stride * (done + lane_count));
+      store_signs(signs + done, now.certain, now.determinant);
+      now = next;
+    }
+    store_signs(signs + done, now.certain, now.determinant);
+    done += lane_count;
+  }
   if (done == count) return;
   std::uint32_t last_ids[stride * lane_count] = {};
   Sign last_signs[lane_count];
   std::memcpy(last_ids, ids + stride * done, stride * (count - done) * sizeof *ids);
-  filter_these(last_ids, last_signs);
+  const Filtered last = filter_these(last_ids);
+  store_signs(last_signs, last.certain, last.determinant);
   std::memcpy(signs + done, last_signs, count - done);
 }
 
 template <class Filter>
 void filter_calls(const typename Filter::Point* points, const std::uint32_t* ids, std::size_t count,
                   Sign* signs) {
-  filter_all<Filter::points>(
-      ids, count, signs, [=](const std::uint32_t* these, Sign* to) LEONHARD_INLINE_LAMBDA {
-        filter_lanes<Filter>(points, these, to, std::make_index_sequence<Filter::points - 1>());
-      });
+  filter_all<Filter::points>(ids, count, signs, [=](const std::uint32_t* these) LEONHARD_INLINE_LAMBDA {
+    return filter_lanes<Filter>(points, these, std::make_index_sequence<Filter::points - 1>());
+  });
 }
 
 /// `common` is a copy, which no storing of signs can change: what depends on it alone is computed once.
@@ -145,9 +157,8 @@ template <class Filter, class... Common>
 LEONHARD_INLINE void filter_many(const typename Filter::Point& first, const typename Filter::Point* points,
                                  const std::uint32_t* ids, std::size_t count, Sign* signs, Common... common) {
   const auto firsts = equal_rows(first);
-  filter_all<1>(ids, count, signs, [=](const std::uint32_t* these, Sign* to) LEONHARD_INLINE_LAMBDA {
-    const Filtered f = Filter::filter(common..., columns(rows<1>(points, these) - firsts));
-    store_signs(to, f.certain, f.determinant);
+  filter_all<1>(ids, count, signs, [=](const std::uint32_t* these) LEONHARD_INLINE_LAMBDA {
+    return Filter::filter(common..., columns(rows<1>(points, these) - firsts));
   });
 }
 
@@ -168,11 +179,10 @@ void filter_one_against_many(const typename Filter::Point* one, const typename F
 void filter_spheres(const Point3& p, const detail::PaddedPoint3* points, const std::uint32_t* ids,
                     std::size_t count, Sign* signs) {
   const Rows3 from = equal_rows(p);
-  filter_all<4>(ids, count, signs, [=](const std::uint32_t* these, Sign* to) LEONHARD_INLINE_LAMBDA {
-    const Filtered f = InsphereFilter::filter(
+  filter_all<4>(ids, count, signs, [=](const std::uint32_t* these) LEONHARD_INLINE_LAMBDA {
+    return InsphereFilter::filter(
         columns(rows<4>(points, these) - from), columns(rows<4>(points, these + 1) - from),
         columns(rows<4>(points, these + 2) - from), columns(rows<4>(points, these + 3) - from));
-    store_signs(to, f.certain, f.determinant);
   });
 }
 

@@ -91,8 +91,9 @@ LEONHARD_INLINE void store_signs(Sign* signs, const LanesMask& certain, const La
 
 // ---- Points ----
 //
-// Points are loaded and subtracted as rows, one point after another as they lie in memory, and only the differences
-// turned into columns, one coordinate a register.
+// The first two coordinates of points are loaded and subtracted as rows, one point after another as they lie in memory,
+// and only the differences turned into columns, one coordinate a register. The third is put into a column number by
+// number: rows of three would need so much shuffling that orient3d took a sixth longer.
 
 /// The first two coordinates of a point.
 template <class Point>
@@ -101,6 +102,8 @@ LEONHARD_INLINE HalfLanes xy_row(const Point& point) {
   std::memcpy(&xy, &point, sizeof xy);
   return xy;
 }
+LEONHARD_INLINE double z_of(const Point3& point) { return point.z; }
+LEONHARD_INLINE double z_of(const detail::PaddedPoint3& point) { return point.point.z; }
 
 #if defined(__AVX2__)
 
@@ -108,67 +111,35 @@ LEONHARD_INLINE HalfLanes xy_row(const Point& point) {
 struct Rows2 {
   Lanes even, odd;
 };
-struct Rows3 {
-  Lanes first, second, third, fourth;
-};
 
 LEONHARD_INLINE Lanes side_by_side(const HalfLanes& low, const HalfLanes& high) {
   return (Lanes)_mm256_insertf128_pd(_mm256_castpd128_pd256((__m128d)low), (__m128d)high, 1);
 }
-/// x, y, z and 0: the fourth number is not read, it may lie behind the last point.
-LEONHARD_INLINE Lanes xyz_row(const Point3& point) {
-  return (Lanes)_mm256_maskload_pd(&point.x, (__m256i)LanesMask{-1, -1, -1, 0});
-}
 
 /// Points by id; the ids lie `stride` apart.
-template <std::size_t stride>
-LEONHARD_INLINE Rows2 rows(const Point2* points, const std::uint32_t* ids) {
+template <std::size_t stride, class Point>
+LEONHARD_INLINE Rows2 xy_rows(const Point* points, const std::uint32_t* ids) {
   return {side_by_side(xy_row(points[ids[0]]), xy_row(points[ids[2 * stride]])),
           side_by_side(xy_row(points[ids[stride]]), xy_row(points[ids[3 * stride]]))};
 }
-template <std::size_t stride>
-LEONHARD_INLINE Rows3 rows(const Point3* points, const std::uint32_t* ids) {
-  return {xyz_row(points[ids[0]]), xyz_row(points[ids[stride]]), xyz_row(points[ids[2 * stride]]),
-          xyz_row(points[ids[3 * stride]])};
-}
-
-/// x, y, z and 0 in place of the notes.
-LEONHARD_INLINE Lanes xyz_row(const detail::PaddedPoint3& point) {
-  return (Lanes)_mm256_blend_pd(_mm256_load_pd(&point.point.x), _mm256_setzero_pd(), 8);
-}
-template <std::size_t stride>
-LEONHARD_INLINE Rows3 rows(const detail::PaddedPoint3* points, const std::uint32_t* ids) {
-  return {xyz_row(points[ids[0]]), xyz_row(points[ids[stride]]), xyz_row(points[ids[2 * stride]]),
-          xyz_row(points[ids[3 * stride]])};
+template <std::size_t stride, class Point>
+LEONHARD_INLINE Lanes z_column(const Point* points, const std::uint32_t* ids) {
+  return Lanes{z_of(points[ids[0]]), z_of(points[ids[stride]]), z_of(points[ids[2 * stride]]),
+               z_of(points[ids[3 * stride]])};
 }
 
 /// The same point in every row.
-LEONHARD_INLINE Rows2 equal_rows(const Point2& p) {
-  const Lanes row{p.x, p.y, p.x, p.y};
+template <class Point>
+LEONHARD_INLINE Rows2 equal_xy_rows(const Point& p) {
+  const Lanes row = side_by_side(xy_row(p), xy_row(p));
   return {row, row};
-}
-LEONHARD_INLINE Rows3 equal_rows(const Point3& p) {
-  const Lanes row{p.x, p.y, p.z, 0};
-  return {row, row, row, row};
 }
 
 LEONHARD_INLINE Rows2 operator-(const Rows2& a, const Rows2& b) { return {a.even - b.even, a.odd - b.odd}; }
-LEONHARD_INLINE Rows3 operator-(const Rows3& a, const Rows3& b) {
-  return {a.first - b.first, a.second - b.second, a.third - b.third, a.fourth - b.fourth};
-}
 
 LEONHARD_INLINE Lanes2 columns(const Rows2& r) {
   return {__builtin_shufflevector(r.even, r.odd, 0, 4, 2, 6),
           __builtin_shufflevector(r.even, r.odd, 1, 5, 3, 7)};
-}
-LEONHARD_INLINE Lanes3 columns(const Rows3& r) {
-  const Lanes xz_low = __builtin_shufflevector(r.first, r.second, 0, 4, 2, 6);
-  const Lanes xz_high = __builtin_shufflevector(r.third, r.fourth, 0, 4, 2, 6);
-  const Lanes y_low = __builtin_shufflevector(r.first, r.second, 1, 5, 3, 7);
-  const Lanes y_high = __builtin_shufflevector(r.third, r.fourth, 1, 5, 3, 7);
-  return {__builtin_shufflevector(xz_low, xz_high, 0, 1, 4, 5),
-          __builtin_shufflevector(y_low, y_high, 0, 1, 4, 5),
-          __builtin_shufflevector(xz_low, xz_high, 2, 3, 6, 7)};
 }
 
 #else
@@ -176,47 +147,58 @@ LEONHARD_INLINE Lanes3 columns(const Rows3& r) {
 struct Rows2 {
   Lanes first, second;
 };
-struct Rows3 {
-  Lanes first, second, z;
-};
 
 /// Points by id; the ids lie `stride` apart.
-template <std::size_t stride>
-LEONHARD_INLINE Rows2 rows(const Point2* points, const std::uint32_t* ids) {
+template <std::size_t stride, class Point>
+LEONHARD_INLINE Rows2 xy_rows(const Point* points, const std::uint32_t* ids) {
   return {xy_row(points[ids[0]]), xy_row(points[ids[stride]])};
 }
-template <std::size_t stride>
-LEONHARD_INLINE Rows3 rows(const Point3* points, const std::uint32_t* ids) {
-  const Point3 &first = points[ids[0]], &second = points[ids[stride]];
-  return {xy_row(first), xy_row(second), Lanes{first.z, second.z}};
-}
-
-template <std::size_t stride>
-LEONHARD_INLINE Rows3 rows(const detail::PaddedPoint3* points, const std::uint32_t* ids) {
-  const Point3 &first = points[ids[0]].point, &second = points[ids[stride]].point;
-  return {xy_row(first), xy_row(second), Lanes{first.z, second.z}};
+template <std::size_t stride, class Point>
+LEONHARD_INLINE Lanes z_column(const Point* points, const std::uint32_t* ids) {
+  return Lanes{z_of(points[ids[0]]), z_of(points[ids[stride]])};
 }
 
 /// The same point in every row.
-LEONHARD_INLINE Rows2 equal_rows(const Point2& p) { return {xy_row(p), xy_row(p)}; }
-LEONHARD_INLINE Rows3 equal_rows(const Point3& p) { return {xy_row(p), xy_row(p), Lanes{p.z, p.z}}; }
+template <class Point>
+LEONHARD_INLINE Rows2 equal_xy_rows(const Point& p) {
+  return {xy_row(p), xy_row(p)};
+}
 
 LEONHARD_INLINE Rows2 operator-(const Rows2& a, const Rows2& b) {
   return {a.first - b.first, a.second - b.second};
-}
-LEONHARD_INLINE Rows3 operator-(const Rows3& a, const Rows3& b) {
-  return {a.first - b.first, a.second - b.second, a.z - b.z};
 }
 
 LEONHARD_INLINE Lanes2 columns(const Rows2& r) {
   return {__builtin_shufflevector(r.first, r.second, 0, 2), __builtin_shufflevector(r.first, r.second, 1, 3)};
 }
-LEONHARD_INLINE Lanes3 columns(const Rows3& r) {
-  return {__builtin_shufflevector(r.first, r.second, 0, 2), __builtin_shufflevector(r.first, r.second, 1, 3),
-          r.z};
-}
 
 #endif
+
+struct Rows3 {
+  Rows2 xy;
+  Lanes z;
+};
+
+/// Points by id; the ids lie `stride` apart.
+template <std::size_t stride>
+LEONHARD_INLINE Rows2 rows(const Point2* points, const std::uint32_t* ids) {
+  return xy_rows<stride>(points, ids);
+}
+template <std::size_t stride, class Point>
+LEONHARD_INLINE Rows3 rows(const Point* points, const std::uint32_t* ids) {
+  return {xy_rows<stride>(points, ids), z_column<stride>(points, ids)};
+}
+
+/// The same point in every row.
+LEONHARD_INLINE Rows2 equal_rows(const Point2& p) { return equal_xy_rows(p); }
+LEONHARD_INLINE Rows3 equal_rows(const Point3& p) { return {equal_xy_rows(p), Lanes{} + p.z}; }
+
+LEONHARD_INLINE Rows3 operator-(const Rows3& a, const Rows3& b) { return {a.xy - b.xy, a.z - b.z}; }
+
+LEONHARD_INLINE Lanes3 columns(const Rows3& r) {
+  const Lanes2 xy = columns(r.xy);
+  return {xy.x, xy.y, r.z};
+}
 
 }  // namespace
 }  // namespace leonhard::kernel

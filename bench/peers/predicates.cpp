@@ -33,6 +33,7 @@ namespace k = leonhard::kernel;
 using leonhard::Point2;
 using leonhard::Point3;
 using leonhard::Sign;
+using leonhard::benching::call_count;
 using leonhard::benching::Input;
 using leonhard::benching::Random;
 using leonhard::benching::unit;
@@ -221,11 +222,8 @@ void compare(const std::string& words, const Input<Point, Count>& input) {
 template <class P, class Point, std::size_t Count>
 void compare_batch(const char* words, std::vector<Point> points) {
   Random random(3);
-  const auto last = static_cast<std::uint32_t>(points.size() - 1);
-  std::uniform_int_distribution<std::uint32_t> any(0, last);
-  std::vector<std::array<std::uint32_t, Count>> calls(points.size());
-  for (auto& call : calls)
-    for (std::uint32_t& id : call) id = any(random);
+  const auto calls =
+      leonhard::benching::random_calls<Count>(std::max(points.size(), call_count), points.size(), random);
   std::vector<Sign> signs(calls.size());
   double scalar = 1e9, batch = 1e9;
   const auto deadline = Clock::now() + std::chrono::milliseconds(600);
@@ -301,6 +299,7 @@ int main() {
   }
   fmt::print("\nby id, one by one and in a batch, ns a call\n{:<9} {:<15} {:>8} {:>8}   {:>8}\n", "predicate",
              "points", "one", "batch", "one over batch");
+  compare_batches<500>("500 uniform");  // fit the first-level cache, the next ones the second
   compare_batches<4096>("4096 uniform");
   compare_batches<1'000'000>("10^6 uniform");
   fmt::print("\n10^6 uniform points, ms\n{:<6} {:>14} {:>14} {:>14} {:>14}   {:>20} {:>20}\n", "",
