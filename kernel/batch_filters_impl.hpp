@@ -116,11 +116,11 @@ LEONHARD_INLINE Filtered filter_lanes(const typename Filter::Point* points, cons
   return Filter::filter(columns(rows<Filter::points>(points, ids + 1 + i) - first)...);
 }
 
-/// Asks filter_these, which makes a Filtered of the ids of as many calls as there are lanes, about all calls; `stride` ids
-/// make a call. Calls of too few for the lanes are filled up with point 0.
+/// Asks filter_these(ids of as many calls as there are lanes) -> Filtered about all calls; `stride` ids make a call. Calls
+/// of too few for the lanes are filled up with point 0.
 ///
-/// Signs are stored only when the next ones have been computed. Their table lookup and store end a long chain, and loads
-/// that were begun after it would fill the processor's queue of loads: in this order batches take a fifth less time.
+/// Signs are stored only when the next ones have been computed: the table lookup and the store end a long chain, and loads
+/// begun after it would fill the processor's queue of loads. So orient2d and incircle take a fifth less time.
 template <std::size_t stride, class FilterThese>
 LEONHARD_INLINE void filter_all(const std::uint32_t* ids, std::size_t count, Sign* signs,
                                 FilterThese filter_these) {
