@@ -24,7 +24,7 @@ struct BatchFilter {
                            Sign* signs);
 };
 
-/// A point of space with room for its owner's notes: 32 bytes, which never lie in two cache lines and are read at once.
+/// A point of space with room for its owner's notes: 32 bytes, which never lie in two cache lines.
 struct alignas(32) PaddedPoint3 {
   Point3 point;
   std::uint32_t notes[2] = {};
