@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/kernel/point_families.hpp"
 #include "tests/kernel/point_families3.hpp"
 

@@ -22,11 +22,11 @@
 
 #include "bench/point_sets.hpp"
 #include "leonhard/delaunay/delaunay_tree.hpp"
-#include "leonhard/delaunay/green_sibson.hpp"
-#include "leonhard/delaunay/insertion_order.hpp"
+#include "leonhard/delaunay/order/insertion_order.hpp"
+#include "leonhard/delaunay/plane/green_sibson.hpp"
+#include "leonhard/delaunay/plane/watson.hpp"
 #include "leonhard/delaunay/scopes.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
-#include "leonhard/delaunay/watson.hpp"
 
 namespace benching = leonhard::benching;
 namespace d = leonhard::delaunay;

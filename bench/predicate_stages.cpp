@@ -12,7 +12,7 @@
 #include "bench/predicate_inputs.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
-#include "leonhard/kernel/stage.hpp"
+#include "leonhard/kernel/stages/stage.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Point2;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/algorithm.hpp"
 
-#include "leonhard/delaunay/bowyer.hpp"
-#include "leonhard/delaunay/divide_and_conquer.hpp"
-#include "leonhard/delaunay/fast.hpp"
-#include "leonhard/delaunay/green_sibson.hpp"
 #include "leonhard/delaunay/lawson.hpp"
-#include "leonhard/delaunay/randomized.hpp"
-#include "leonhard/delaunay/watson.hpp"
+#include "leonhard/delaunay/plane/bowyer.hpp"
+#include "leonhard/delaunay/plane/divide_and_conquer.hpp"
+#include "leonhard/delaunay/plane/fast.hpp"
+#include "leonhard/delaunay/plane/green_sibson.hpp"
+#include "leonhard/delaunay/plane/randomized.hpp"
+#include "leonhard/delaunay/plane/watson.hpp"
 
 namespace leonhard::delaunay {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "leonhard/delaunay/ghost_triangulation.hpp"
+#include "leonhard/delaunay/topology/ghost_triangulation.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/progress.hpp"
 

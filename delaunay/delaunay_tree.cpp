@@ -4,8 +4,8 @@
 #include <cassert>
 #include <utility>
 
-#include "leonhard/delaunay/insert_in_order.hpp"
-#include "leonhard/delaunay/swap_insertion.hpp"
+#include "leonhard/delaunay/order/insert_in_order.hpp"
+#include "leonhard/delaunay/plane/swap_insertion.hpp"
 #include "leonhard/kernel/predicates.hpp"
 
 namespace leonhard::delaunay {

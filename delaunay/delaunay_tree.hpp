@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "leonhard/delaunay/algorithm.hpp"
-#include "leonhard/delaunay/ghost_triangulation.hpp"
-#include "leonhard/delaunay/locate.hpp"
-#include "leonhard/delaunay/triangle_history.hpp"
+#include "leonhard/delaunay/plane/triangle_history.hpp"
+#include "leonhard/delaunay/topology/ghost_triangulation.hpp"
+#include "leonhard/delaunay/topology/locate.hpp"
 #include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "leonhard/delaunay/tet_corners.hpp"
+#include "leonhard/delaunay/topology/tet_corners.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::delaunay {

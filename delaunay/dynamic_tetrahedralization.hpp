@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/delaunay/coplanar_points.hpp"
-#include "leonhard/delaunay/first_tetrahedron.hpp"
-#include "leonhard/delaunay/ghost_tetrahedralization.hpp"
-#include "leonhard/delaunay/tet_cavity.hpp"
-#include "leonhard/delaunay/tet_replacement.hpp"
-#include "leonhard/delaunay/tet_star.hpp"
-#include "leonhard/delaunay/tetrahedralization_views.hpp"
+#include "leonhard/delaunay/space/coplanar_points.hpp"
+#include "leonhard/delaunay/space/first_tetrahedron.hpp"
+#include "leonhard/delaunay/topology/ghost_tetrahedralization.hpp"
+#include "leonhard/delaunay/topology/tet_cavity.hpp"
+#include "leonhard/delaunay/topology/tet_replacement.hpp"
+#include "leonhard/delaunay/topology/tet_star.hpp"
+#include "leonhard/delaunay/topology/tetrahedralization_views.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 #include "leonhard/mesh/id.hpp"

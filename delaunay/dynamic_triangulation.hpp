@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/delaunay/cavity.hpp"
-#include "leonhard/delaunay/collinear_points.hpp"
-#include "leonhard/delaunay/ghost_triangulation.hpp"
-#include "leonhard/delaunay/locate.hpp"
-#include "leonhard/delaunay/star.hpp"
-#include "leonhard/delaunay/triangulation_views.hpp"
-#include "leonhard/delaunay/vertex_weights.hpp"
+#include "leonhard/delaunay/dynamic/vertex_weights.hpp"
+#include "leonhard/delaunay/plane/collinear_points.hpp"
+#include "leonhard/delaunay/topology/cavity.hpp"
+#include "leonhard/delaunay/topology/ghost_triangulation.hpp"
+#include "leonhard/delaunay/topology/locate.hpp"
+#include "leonhard/delaunay/topology/star.hpp"
+#include "leonhard/delaunay/topology/triangulation_views.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 #include "leonhard/mesh/id.hpp"

@@ -8,12 +8,12 @@
 #include <variant>
 #include <vector>
 
-#include "leonhard/delaunay/cavity.hpp"
-#include "leonhard/delaunay/edge_swapper.hpp"
-#include "leonhard/delaunay/from_quad_edge.hpp"
-#include "leonhard/delaunay/insert_in_order.hpp"
-#include "leonhard/delaunay/interior_edges.hpp"
-#include "leonhard/delaunay/locate.hpp"
+#include "leonhard/delaunay/order/insert_in_order.hpp"
+#include "leonhard/delaunay/plane/edge_swapper.hpp"
+#include "leonhard/delaunay/topology/cavity.hpp"
+#include "leonhard/delaunay/topology/from_quad_edge.hpp"
+#include "leonhard/delaunay/topology/interior_edges.hpp"
+#include "leonhard/delaunay/topology/locate.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/data_structures.hpp"
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "leonhard/delaunay/algorithm.hpp"
-#include "leonhard/delaunay/swap_criterion.hpp"
+#include "leonhard/delaunay/plane/swap_criterion.hpp"
 #include "leonhard/kernel/progress.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 

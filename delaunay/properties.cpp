@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "leonhard/delaunay/exact_triangle.hpp"
-#include "leonhard/delaunay/interior_edges.hpp"
+#include "leonhard/delaunay/plane/exact_triangle.hpp"
+#include "leonhard/delaunay/topology/interior_edges.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/words.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "leonhard/delaunay/domain.hpp"
-#include "leonhard/delaunay/refiner.hpp"
+#include "leonhard/delaunay/constrained/domain.hpp"
+#include "leonhard/delaunay/constrained/refiner.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "leonhard/mesh/words.hpp"

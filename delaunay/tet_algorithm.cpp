@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/tet_algorithm.hpp"
 
-#include "leonhard/delaunay/tet_flipping.hpp"
-#include "leonhard/delaunay/tet_insertion.hpp"
+#include "leonhard/delaunay/space/tet_flipping.hpp"
+#include "leonhard/delaunay/space/tet_insertion.hpp"
 
 namespace leonhard::delaunay {
 

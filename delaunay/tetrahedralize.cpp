@@ -4,10 +4,10 @@
 #include <limits>
 #include <utility>
 
-#include "leonhard/delaunay/large_vector.hpp"
-#include "leonhard/delaunay/tet_insertion.hpp"
-#include "leonhard/delaunay/tet_point_mesh.hpp"
-#include "leonhard/delaunay/tet_sort.hpp"
+#include "leonhard/delaunay/order/tet_sort.hpp"
+#include "leonhard/delaunay/space/tet_insertion.hpp"
+#include "leonhard/delaunay/space/tet_point_mesh.hpp"
+#include "leonhard/delaunay/support/large_vector.hpp"
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/input_error.hpp"
 

@@ -4,10 +4,10 @@
 #include <cassert>
 #include <utility>
 
-#include "leonhard/delaunay/domain.hpp"
-#include "leonhard/delaunay/point_mesh.hpp"
-#include "leonhard/delaunay/large_vector.hpp"
-#include "leonhard/delaunay/sorted_triangulation.hpp"
+#include "leonhard/delaunay/constrained/domain.hpp"
+#include "leonhard/delaunay/order/sorted_triangulation.hpp"
+#include "leonhard/delaunay/plane/point_mesh.hpp"
+#include "leonhard/delaunay/support/large_vector.hpp"
 #include "leonhard/mesh/validate.hpp"
 
 namespace leonhard::delaunay {

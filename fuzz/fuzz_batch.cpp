@@ -10,7 +10,7 @@
 
 #include "fuzz/fuzz_input.hpp"
 #include "leonhard/kernel/batch.hpp"
-#include "leonhard/kernel/batch_filters.hpp"
+#include "leonhard/kernel/batch/batch_filters.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
 

@@ -16,7 +16,7 @@
 #include "fuzz/fuzz_input.hpp"
 #include "leonhard/delaunay/dynamic_triangulation.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 #include "leonhard/mesh/validate.hpp"
 

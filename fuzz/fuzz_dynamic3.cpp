@@ -15,7 +15,7 @@
 #include "fuzz/fuzz_input.hpp"
 #include "leonhard/delaunay/dynamic_tetrahedralization.hpp"
 #include "leonhard/delaunay/tetrahedralize.hpp"
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 #include "leonhard/mesh/validate.hpp"
 

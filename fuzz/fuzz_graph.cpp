@@ -15,7 +15,7 @@
 #include "leonhard/graph/graph_file.hpp"
 #include "leonhard/graph/order.hpp"
 #include "leonhard/graph/orientation.hpp"
-#include "leonhard/graph/separator.hpp"
+#include "leonhard/graph/separator/separator.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace {

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "fuzz/fuzz_input.hpp"
-#include "leonhard/kernel/exact_implicit.hpp"
 #include "leonhard/kernel/implicit_point.hpp"
 #include "leonhard/kernel/implicit_point3.hpp"
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/stages/exact_implicit.hpp"
 
 namespace k = leonhard::kernel;
 namespace exact = leonhard::kernel::exact;

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "fuzz/fuzz_input.hpp"
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Point2;

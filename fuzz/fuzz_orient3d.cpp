@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "fuzz/fuzz_input.hpp"
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Point3;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fuzz/fuzz_input.hpp"
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/power.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Sign;

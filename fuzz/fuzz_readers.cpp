@@ -10,10 +10,10 @@
 
 #include "fuzz/fuzz_text.hpp"
 #include "leonhard/mesh/io/airfoil_dat.hpp"
+#include "leonhard/mesh/io/formats/su2.hpp"
+#include "leonhard/mesh/io/formats/triangle_files.hpp"
 #include "leonhard/mesh/io/number_text.hpp"
-#include "leonhard/mesh/io/simple_polygon.hpp"
-#include "leonhard/mesh/io/su2.hpp"
-#include "leonhard/mesh/io/triangle_files.hpp"
+#include "leonhard/mesh/io/soup/simple_polygon.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 #include "leonhard/mesh/topology.hpp"
 #include "leonhard/mesh/validate.hpp"

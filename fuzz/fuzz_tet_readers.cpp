@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "fuzz/fuzz_text.hpp"
-#include "leonhard/mesh/io/gmsh.hpp"
-#include "leonhard/mesh/io/medit.hpp"
+#include "leonhard/mesh/io/formats/gmsh.hpp"
+#include "leonhard/mesh/io/formats/medit.hpp"
+#include "leonhard/mesh/io/formats/su2.hpp"
+#include "leonhard/mesh/io/formats/surface_formats.hpp"
+#include "leonhard/mesh/io/formats/tetgen_files.hpp"
 #include "leonhard/mesh/io/points3_file.hpp"
-#include "leonhard/mesh/io/su2.hpp"
-#include "leonhard/mesh/io/surface_formats.hpp"
-#include "leonhard/mesh/io/tetgen_files.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 #include "leonhard/mesh/tet_topology.hpp"
 #include "leonhard/mesh/validate.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "leonhard/graph/sorted_arcs.hpp"
+#include "leonhard/graph/support/sorted_arcs.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "leonhard/graph/colouring.hpp"
-#include "leonhard/graph/step_counter.hpp"
+#include "leonhard/graph/support/step_counter.hpp"
 
 namespace leonhard::graph {
 namespace {

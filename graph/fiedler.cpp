@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "leonhard/graph/eigensolvers.hpp"
-#include "leonhard/graph/linear_algebra.hpp"
+#include "leonhard/graph/spectral/eigensolvers.hpp"
+#include "leonhard/graph/spectral/linear_algebra.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "leonhard/graph/sorted_arcs.hpp"
+#include "leonhard/graph/support/sorted_arcs.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {

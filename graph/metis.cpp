@@ -8,8 +8,8 @@
 #include <cmath>
 #include <string>
 
-#include "leonhard/graph/kway_graph.hpp"
-#include "leonhard/graph/partition_checks.hpp"
+#include "leonhard/graph/multilevel/kway_graph.hpp"
+#include "leonhard/graph/partition/partition_checks.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {

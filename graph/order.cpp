@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "leonhard/graph/minimum_degree.hpp"
-#include "leonhard/graph/nested_dissection.hpp"
+#include "leonhard/graph/ordering/minimum_degree.hpp"
+#include "leonhard/graph/ordering/nested_dissection.hpp"
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/input_error.hpp"
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
-#include "leonhard/graph/connected_parts.hpp"
-#include "leonhard/graph/kway.hpp"
-#include "leonhard/graph/kway_balance.hpp"
-#include "leonhard/graph/kway_graph.hpp"
-#include "leonhard/graph/partition_checks.hpp"
+#include "leonhard/graph/multilevel/kway_graph.hpp"
+#include "leonhard/graph/partition/connected_parts.hpp"
+#include "leonhard/graph/partition/kway.hpp"
+#include "leonhard/graph/partition/kway_balance.hpp"
+#include "leonhard/graph/partition/partition_checks.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {

@@ -9,8 +9,8 @@ extern "C" {
 #include <scotch.h>
 }
 
-#include "leonhard/graph/kway_graph.hpp"
-#include "leonhard/graph/partition_checks.hpp"
+#include "leonhard/graph/multilevel/kway_graph.hpp"
+#include "leonhard/graph/partition/partition_checks.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {

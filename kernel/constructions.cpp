@@ -13,7 +13,7 @@
 #include <string>
 #include <tuple>
 
-#include "leonhard/kernel/double_double.hpp"
+#include "leonhard/kernel/arithmetic/double_double.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "leonhard/kernel/point.hpp"
-#include "leonhard/kernel/point_ref.hpp"
 #include "leonhard/kernel/sign.hpp"
-#include "leonhard/kernel/stage.hpp"
+#include "leonhard/kernel/stages/point_ref.hpp"
+#include "leonhard/kernel/stages/stage.hpp"
 
 /// Intersections of lines of the plane as points that predicates take unrounded, exact for every finite double as in
 /// predicates.hpp, and their conversion to the nearest doubles.

@@ -3,9 +3,9 @@
 
 #include <array>
 
+#include "leonhard/kernel/arithmetic/rounded_coordinates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
-#include "leonhard/kernel/rounded_coordinates.hpp"
-#include "leonhard/kernel/staged_predicate.hpp"
+#include "leonhard/kernel/stages/staged_predicate.hpp"
 
 namespace leonhard::kernel {
 namespace {

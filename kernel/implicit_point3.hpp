@@ -4,9 +4,9 @@
 #include <array>
 
 #include "leonhard/kernel/point.hpp"
-#include "leonhard/kernel/point_ref.hpp"
 #include "leonhard/kernel/sign.hpp"
-#include "leonhard/kernel/stage.hpp"
+#include "leonhard/kernel/stages/point_ref.hpp"
+#include "leonhard/kernel/stages/stage.hpp"
 
 /// Intersections of lines and planes of space as points that predicates take unrounded: as implicit_point.hpp, which
 /// has the source.

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "leonhard/kernel/exact.hpp"
-#include "leonhard/kernel/exact_range.hpp"
-#include "leonhard/kernel/long_vector.hpp"
+#include "leonhard/kernel/arithmetic/exact_range.hpp"
+#include "leonhard/kernel/arithmetic/long_vector.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 namespace leonhard::kernel {
 namespace {

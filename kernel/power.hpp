@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "leonhard/kernel/filtered_sign.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
 #include "leonhard/kernel/sign.hpp"
+#include "leonhard/kernel/stages/filtered_sign.hpp"
 #include "leonhard/kernel/weighted_point.hpp"
 
 /// incircle, insphere and compare_distance of weighted points, for regular triangulations and power diagrams,

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <utility>
 
-#include "leonhard/kernel/exact.hpp"
-#include "leonhard/kernel/exact_range.hpp"
-#include "leonhard/kernel/integer_predicates.hpp"
-#include "leonhard/kernel/long_vector.hpp"
-#include "leonhard/kernel/pair.hpp"
-#include "leonhard/kernel/small_multiples.hpp"
-#include "leonhard/kernel/stage.hpp"
+#include "leonhard/kernel/arithmetic/exact_range.hpp"
+#include "leonhard/kernel/arithmetic/long_vector.hpp"
+#include "leonhard/kernel/arithmetic/pair.hpp"
+#include "leonhard/kernel/arithmetic/small_multiples.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
+#include "leonhard/kernel/stages/integer_predicates.hpp"
+#include "leonhard/kernel/stages/stage.hpp"
 
 namespace leonhard::kernel {
 namespace {

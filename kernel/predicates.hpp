@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "leonhard/kernel/filtered_sign.hpp"
-#include "leonhard/kernel/pair.hpp"
+#include "leonhard/kernel/arithmetic/pair.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
+#include "leonhard/kernel/stages/filtered_sign.hpp"
 
 /// Geometric predicates of the plane, exact for every finite double: overflow, underflow and subnormals
 /// included.

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "leonhard/kernel/filtered_sign.hpp"
-#include "leonhard/kernel/pair.hpp"
+#include "leonhard/kernel/arithmetic/pair.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
+#include "leonhard/kernel/stages/filtered_sign.hpp"
 
 /// Geometric predicates of space, exact for every finite double, made like those of the plane in predicates.hpp:
 /// X_filter, inline, answers where a proven error bound allows it; X_exact, out of line, always; X tries the one and

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "leonhard/mesh/edges.hpp"
-#include "leonhard/mesh/out_degree_list.hpp"
 #include "leonhard/mesh/quad_edge.hpp"
+#include "leonhard/mesh/structures/out_degree_list.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 /// The four data structures of Barth's notes 1.3 and the ways between them. With V vertices, E edges, T

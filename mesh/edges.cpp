@@ -5,9 +5,9 @@
 #include <string>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/half_edges.hpp"
-#include "leonhard/mesh/invariants.hpp"
-#include "leonhard/mesh/sorted_ends.hpp"
+#include "leonhard/mesh/check/invariants.hpp"
+#include "leonhard/mesh/structures/half_edges.hpp"
+#include "leonhard/mesh/structures/sorted_ends.hpp"
 
 namespace leonhard {
 

@@ -2,7 +2,7 @@
 #include "leonhard/mesh/exact_volume.hpp"
 
 #include "leonhard/mesh/exact_sum.hpp"
-#include "leonhard/mesh/sorted_face.hpp"
+#include "leonhard/mesh/structures/sorted_face.hpp"
 
 namespace leonhard::mesh {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/half_faces.hpp"
-#include "leonhard/mesh/tet_invariants.hpp"
+#include "leonhard/mesh/check/tet_invariants.hpp"
+#include "leonhard/mesh/structures/half_faces.hpp"
 
 namespace leonhard {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "leonhard/mesh/hash128.hpp"
+#include "leonhard/mesh/structures/hash128.hpp"
 
 namespace leonhard {
 

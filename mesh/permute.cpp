@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "leonhard/mesh/permutation.hpp"
+#include "leonhard/mesh/structures/permutation.hpp"
 
 namespace leonhard::mesh {
 namespace {

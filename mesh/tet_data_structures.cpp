@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/sorted_face.hpp"
+#include "leonhard/mesh/structures/sorted_face.hpp"
 #include "leonhard/mesh/tet_topology.hpp"
 
 namespace leonhard::mesh {

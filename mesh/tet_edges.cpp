@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "leonhard/mesh/faces.hpp"
-#include "leonhard/mesh/sorted_ends.hpp"
+#include "leonhard/mesh/structures/sorted_ends.hpp"
 
 namespace leonhard {
 

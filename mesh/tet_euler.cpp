@@ -9,7 +9,7 @@
 
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/exact_sum.hpp"
-#include "leonhard/mesh/sorted_face.hpp"
+#include "leonhard/mesh/structures/sorted_face.hpp"
 
 namespace leonhard {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "leonhard/mesh/permutation.hpp"
+#include "leonhard/mesh/structures/permutation.hpp"
 
 namespace leonhard::mesh {
 namespace {

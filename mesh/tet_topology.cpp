@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/half_faces.hpp"
-#include "leonhard/mesh/tet_invariants.hpp"
+#include "leonhard/mesh/check/tet_invariants.hpp"
+#include "leonhard/mesh/structures/half_faces.hpp"
 
 namespace leonhard::mesh {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/half_edges.hpp"
-#include "leonhard/mesh/invariants.hpp"
+#include "leonhard/mesh/check/invariants.hpp"
+#include "leonhard/mesh/structures/half_edges.hpp"
 
 namespace leonhard::mesh {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "leonhard/kernel/predicates.hpp"
-#include "leonhard/mesh/half_edges.hpp"
-#include "leonhard/mesh/invariants.hpp"
+#include "leonhard/mesh/check/invariants.hpp"
+#include "leonhard/mesh/structures/half_edges.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::mesh {

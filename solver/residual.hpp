@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "leonhard/solver/boundary.hpp"
-#include "leonhard/solver/edge_plan.hpp"
-#include "leonhard/solver/parallel.hpp"
-#include "leonhard/solver/sweep.hpp"
+#include "leonhard/solver/support/parallel.hpp"
+#include "leonhard/solver/sweep/boundary.hpp"
+#include "leonhard/solver/sweep/edge_plan.hpp"
+#include "leonhard/solver/sweep/sweep.hpp"
 
 namespace leonhard::solver {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/solver/march.hpp"
+#include "leonhard/solver/march/march.hpp"
 
 namespace leonhard {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "leonhard/app/console.hpp"
-#include "leonhard/delaunay/sorted_points.hpp"
+#include "leonhard/delaunay/order/sorted_points.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/micro/predicate_bench.hpp"
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Point3;

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "bench/micro/predicate_bench.hpp"
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/insertion_order.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Point2;

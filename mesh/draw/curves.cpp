@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/draw/axes.hpp"
-#include "leonhard/mesh/draw/line_writer.hpp"
+#include "leonhard/mesh/draw/canvas/axes.hpp"
+#include "leonhard/mesh/draw/canvas/line_writer.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::draw {

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/draw/levels.hpp"
-#include "leonhard/mesh/draw/line_writer.hpp"
-#include "leonhard/mesh/draw/scene.hpp"
+#include "leonhard/mesh/draw/canvas/levels.hpp"
+#include "leonhard/mesh/draw/canvas/line_writer.hpp"
+#include "leonhard/mesh/draw/plane/scene.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::draw {

@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "leonhard/mesh/draw/levels.hpp"
-#include "leonhard/mesh/draw/line_writer.hpp"
-#include "leonhard/mesh/draw/scene.hpp"
+#include "leonhard/mesh/draw/canvas/levels.hpp"
+#include "leonhard/mesh/draw/canvas/line_writer.hpp"
+#include "leonhard/mesh/draw/plane/scene.hpp"
 #include "leonhard/mesh/quality.hpp"
 #include "leonhard/mesh/words.hpp"
 

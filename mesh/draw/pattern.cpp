@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/draw/axes.hpp"
+#include "leonhard/mesh/draw/canvas/axes.hpp"
 
 namespace leonhard::draw {
 namespace {

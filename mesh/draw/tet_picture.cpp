@@ -10,13 +10,13 @@
 #include <set>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/draw/contours.hpp"
-#include "leonhard/mesh/draw/depth_raster.hpp"
-#include "leonhard/mesh/draw/levels.hpp"
-#include "leonhard/mesh/draw/painters_order.hpp"
-#include "leonhard/mesh/draw/part_colours.hpp"
-#include "leonhard/mesh/draw/scene.hpp"
-#include "leonhard/mesh/draw/tet_scene.hpp"
+#include "leonhard/mesh/draw/canvas/levels.hpp"
+#include "leonhard/mesh/draw/canvas/part_colours.hpp"
+#include "leonhard/mesh/draw/plane/contours.hpp"
+#include "leonhard/mesh/draw/plane/scene.hpp"
+#include "leonhard/mesh/draw/space/depth_raster.hpp"
+#include "leonhard/mesh/draw/space/painters_order.hpp"
+#include "leonhard/mesh/draw/space/tet_scene.hpp"
 #include "leonhard/mesh/tet_quality.hpp"
 #include "leonhard/mesh/words.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/io/simple_polygon.hpp"
+#include "leonhard/mesh/io/soup/simple_polygon.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/words.hpp"
 

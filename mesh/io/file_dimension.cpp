@@ -8,9 +8,9 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/extension.hpp"
-#include "leonhard/mesh/io/gmsh_data.hpp"
+#include "leonhard/mesh/io/formats/gmsh_data.hpp"
+#include "leonhard/mesh/io/formats/vtu_grid.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
-#include "leonhard/mesh/io/vtu_grid.hpp"
 
 namespace leonhard::io {
 

@@ -2,9 +2,9 @@
 #include "leonhard/mesh/io/mesh_file.hpp"
 
 #include "leonhard/mesh/io/extension.hpp"
-#include "leonhard/mesh/io/gmsh.hpp"
-#include "leonhard/mesh/io/su2.hpp"
-#include "leonhard/mesh/io/triangle_files.hpp"
+#include "leonhard/mesh/io/formats/gmsh.hpp"
+#include "leonhard/mesh/io/formats/su2.hpp"
+#include "leonhard/mesh/io/formats/triangle_files.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::io {

@@ -5,10 +5,10 @@
 
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/formats/triangle_tables.hpp"
 #include "leonhard/mesh/io/number_text.hpp"
-#include "leonhard/mesh/io/point_columns.hpp"
+#include "leonhard/mesh/io/text/point_columns.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
-#include "leonhard/mesh/io/triangle_tables.hpp"
 
 namespace leonhard::io {
 

@@ -7,8 +7,8 @@
 
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/formats/triangle_files.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
-#include "leonhard/mesh/io/triangle_files.hpp"
 
 namespace leonhard::io {
 

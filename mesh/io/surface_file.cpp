@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "leonhard/mesh/io/extension.hpp"
-#include "leonhard/mesh/io/surface_formats.hpp"
+#include "leonhard/mesh/io/formats/surface_formats.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {

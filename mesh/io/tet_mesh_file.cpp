@@ -2,10 +2,10 @@
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
 
 #include "leonhard/mesh/io/extension.hpp"
-#include "leonhard/mesh/io/gmsh.hpp"
-#include "leonhard/mesh/io/medit.hpp"
-#include "leonhard/mesh/io/su2.hpp"
-#include "leonhard/mesh/io/tetgen_files.hpp"
+#include "leonhard/mesh/io/formats/gmsh.hpp"
+#include "leonhard/mesh/io/formats/medit.hpp"
+#include "leonhard/mesh/io/formats/su2.hpp"
+#include "leonhard/mesh/io/formats/tetgen_files.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::io {

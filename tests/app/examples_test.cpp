@@ -14,6 +14,7 @@
 #include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 #include "tests/app/program.hpp"
+#include "tests/test_files.hpp"
 
 using leonhard::Point2;
 using leonhard::test::run;
@@ -24,7 +25,7 @@ using nlohmann::json;
 namespace {
 
 json solve(const ScratchFolder& scratch, const std::string& example) {
-  const auto ran = run("solve '" LEONHARD_EXAMPLES "/" + example + "' -o out --json", scratch.path());
+  const auto ran = run("solve '" + (leonhard::test::source_folder() / "examples" / example).string() + "' -o out --json", scratch.path());
   CAPTURE(ran.err);
   REQUIRE(ran.exit_code == 0);
   return json::parse(ran.out);

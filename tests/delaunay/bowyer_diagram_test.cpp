@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/delaunay/bowyer_diagram.hpp"
+#include "leonhard/delaunay/plane/bowyer_diagram.hpp"
 
 #include <doctest/doctest.h>
 

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "leonhard/delaunay/triangulate.hpp"
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/mesh/exact_area.hpp"
 #include "tests/delaunay/shapes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/delaunay/cut_order.hpp"
+#include "leonhard/delaunay/order/cut_order.hpp"
 
 #include <doctest/doctest.h>
 

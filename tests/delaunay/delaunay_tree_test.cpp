@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/delaunay/shapes.hpp"
 
 namespace leonhard {

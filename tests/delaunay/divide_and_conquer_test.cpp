@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/delaunay/divide_and_conquer.hpp"
+#include "leonhard/delaunay/plane/divide_and_conquer.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
 #include <set>
 
-#include "leonhard/delaunay/from_quad_edge.hpp"
+#include "leonhard/delaunay/plane/watson.hpp"
+#include "leonhard/delaunay/topology/from_quad_edge.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
-#include "leonhard/delaunay/watson.hpp"
 #include "leonhard/mesh/data_structures.hpp"
 #include "tests/delaunay/shapes.hpp"
 #include "tests/mesh/shelf.hpp"

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "leonhard/delaunay/dynamic_triangulation.hpp"
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/delaunay/shapes.hpp"
 
 namespace leonhard {

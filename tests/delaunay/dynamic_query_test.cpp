@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "leonhard/delaunay/dynamic_triangulation.hpp"
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/delaunay/shapes.hpp"
 
 namespace leonhard {

@@ -10,8 +10,8 @@
 
 #include "leonhard/delaunay/dynamic_tetrahedralization.hpp"
 #include "leonhard/delaunay/tetrahedralize.hpp"
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "tests/delaunay/shapes3.hpp"
 #include "tests/delaunay/tet_oracles.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "leonhard/delaunay/first_tetrahedron.hpp"
+#include "leonhard/delaunay/space/first_tetrahedron.hpp"
 #include "leonhard/kernel/predicates3.hpp"
 
 namespace leonhard {

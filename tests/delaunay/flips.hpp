@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "leonhard/delaunay/algorithm.hpp"
-#include "leonhard/delaunay/interior_edges.hpp"
+#include "leonhard/delaunay/topology/interior_edges.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/topology.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/delaunay/ghost_triangulation.hpp"
+#include "leonhard/delaunay/topology/ghost_triangulation.hpp"
 
 #include <doctest/doctest.h>
 
 #include <set>
 
-#include "leonhard/delaunay/cavity.hpp"
+#include "leonhard/delaunay/topology/cavity.hpp"
 
 namespace leonhard {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-#include "leonhard/delaunay/exact_triangle.hpp"
+#include "leonhard/delaunay/plane/exact_triangle.hpp"
 #include "leonhard/delaunay/properties.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
 #include "leonhard/kernel/input_error.hpp"

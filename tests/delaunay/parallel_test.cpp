@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/delaunay/parallel.hpp"
+#include "leonhard/delaunay/support/parallel.hpp"
 
 #include <doctest/doctest.h>
 

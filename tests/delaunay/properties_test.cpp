@@ -7,10 +7,10 @@
 #include <array>
 #include <random>
 
-#include "leonhard/delaunay/exact_triangle.hpp"
-#include "leonhard/delaunay/interior_edges.hpp"
+#include "leonhard/delaunay/constrained/visibility.hpp"
+#include "leonhard/delaunay/plane/exact_triangle.hpp"
+#include "leonhard/delaunay/topology/interior_edges.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
-#include "leonhard/delaunay/visibility.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/edges.hpp"

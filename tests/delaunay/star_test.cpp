@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/delaunay/star.hpp"
+#include "leonhard/delaunay/topology/star.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "leonhard/delaunay/algorithm.hpp"
-#include "leonhard/delaunay/sorted_points.hpp"
+#include "leonhard/delaunay/order/sorted_points.hpp"
 #include "tests/delaunay/shapes.hpp"
 
 namespace leonhard {

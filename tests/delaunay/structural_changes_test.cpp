@@ -6,10 +6,10 @@
 #include <numeric>
 
 #include "leonhard/delaunay/delaunay_tree.hpp"
-#include "leonhard/delaunay/green_sibson.hpp"
-#include "leonhard/delaunay/insertion_order.hpp"
+#include "leonhard/delaunay/order/insertion_order.hpp"
+#include "leonhard/delaunay/plane/green_sibson.hpp"
+#include "leonhard/delaunay/plane/watson.hpp"
 #include "leonhard/delaunay/scopes.hpp"
-#include "leonhard/delaunay/watson.hpp"
 #include "tests/delaunay/shapes.hpp"
 
 namespace leonhard {

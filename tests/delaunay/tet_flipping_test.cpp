@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The Delaunay tetrahedralisation by flips, against its definition.
-#include "leonhard/delaunay/tet_flipping.hpp"
+#include "leonhard/delaunay/space/tet_flipping.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/delaunay/conflict3.hpp"
-#include "leonhard/delaunay/ghost_tetrahedralization.hpp"
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/delaunay/topology/conflict3.hpp"
+#include "leonhard/delaunay/topology/ghost_tetrahedralization.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 /// What tetrahedralisations are tested against.
 namespace leonhard::oracles {

@@ -11,7 +11,7 @@
 #include <stop_token>
 #include <string>
 
-#include "leonhard/delaunay/insertion_order.hpp"
+#include "leonhard/delaunay/order/insertion_order.hpp"
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/exact_volume.hpp"

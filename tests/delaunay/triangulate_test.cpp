@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/mesh/exact_area.hpp"
 #include "tests/delaunay/shapes.hpp"
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <span>
 
-#include "leonhard/graph/linear_algebra.hpp"
+#include "leonhard/graph/spectral/linear_algebra.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 

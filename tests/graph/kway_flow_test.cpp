@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/graph/kway_flow.hpp"
+#include "leonhard/graph/partition/kway_flow.hpp"
 
 #include <doctest/doctest.h>
 

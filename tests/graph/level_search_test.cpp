@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Level structures, the ends of graphs and what is combined of two, against their definitions.
-#include "leonhard/graph/level_search.hpp"
+#include "leonhard/graph/ordering/level_search.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,9 +8,9 @@
 #include <array>
 #include <map>
 
-#include "leonhard/graph/combined_levels.hpp"
 #include "leonhard/graph/ordering.hpp"
-#include "leonhard/graph/step_counter.hpp"
+#include "leonhard/graph/ordering/combined_levels.hpp"
+#include "leonhard/graph/support/step_counter.hpp"
 #include "tests/graph/graphs.hpp"
 
 using namespace leonhard;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/graph/local_flow.hpp"
+#include "leonhard/graph/multilevel/local_flow.hpp"
 
 #include <doctest/doctest.h>
 

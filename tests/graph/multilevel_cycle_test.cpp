@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/graph/multilevel_cycle.hpp"
+#include "leonhard/graph/spectral/multilevel_cycle.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/graph/nested_dissection.hpp"
+#include "leonhard/graph/ordering/nested_dissection.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <stop_token>
 
 #include "leonhard/graph/fill.hpp"
-#include "leonhard/graph/minimum_degree.hpp"
+#include "leonhard/graph/ordering/minimum_degree.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 

@@ -15,11 +15,11 @@
 #include <string>
 #include <utility>
 
-#include "leonhard/graph/combined_levels.hpp"
 #include "leonhard/graph/fill.hpp"
-#include "leonhard/graph/king_numbering.hpp"
-#include "leonhard/graph/level_search.hpp"
-#include "leonhard/graph/minimum_degree.hpp"
+#include "leonhard/graph/ordering/combined_levels.hpp"
+#include "leonhard/graph/ordering/king_numbering.hpp"
+#include "leonhard/graph/ordering/level_search.hpp"
+#include "leonhard/graph/ordering/minimum_degree.hpp"
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"

@@ -8,7 +8,7 @@
 #include "leonhard/graph/colouring.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/edges.hpp"
-#include "leonhard/mesh/out_degree_list.hpp"
+#include "leonhard/mesh/structures/out_degree_list.hpp"
 #include "tests/graph/graphs.hpp"
 
 using namespace leonhard;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/graph/separator.hpp"
+#include "leonhard/graph/separator/separator.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <stop_token>
 #include <utility>
 
-#include "leonhard/graph/separator_flow.hpp"
-#include "leonhard/graph/separator_fm.hpp"
+#include "leonhard/graph/separator/separator_flow.hpp"
+#include "leonhard/graph/separator/separator_fm.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 

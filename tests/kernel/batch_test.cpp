@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "leonhard/kernel/batch_filters.hpp"
+#include "leonhard/kernel/batch/batch_filters.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/kernel/point_families.hpp"
 
 namespace bg = boost::geometry;

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/kernel/point_families3.hpp"
 
 namespace k = leonhard::kernel;

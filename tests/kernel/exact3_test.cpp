@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/kernel/point_families3.hpp"
 
 namespace k = leonhard::kernel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/kernel/expansion.hpp"
+#include "leonhard/kernel/arithmetic/expansion.hpp"
 
 #include <doctest/doctest.h>
 

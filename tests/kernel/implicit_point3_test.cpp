@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/kernel/exact_implicit.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/kernel/stages/exact_implicit.hpp"
 #include "tests/kernel/implicit_points.hpp"
 
 namespace k = leonhard::kernel;

@@ -14,9 +14,9 @@
 #include <variant>
 #include <vector>
 
-#include "leonhard/kernel/exact_implicit.hpp"
 #include "leonhard/kernel/implicit_point.hpp"
 #include "leonhard/kernel/implicit_point3.hpp"
+#include "leonhard/kernel/stages/exact_implicit.hpp"
 #include "tests/kernel/point_families.hpp"
 #include "tests/kernel/point_families3.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/kernel/nearest_double.hpp"
+#include "leonhard/kernel/arithmetic/nearest_double.hpp"
 
 #include <doctest/doctest.h>
 

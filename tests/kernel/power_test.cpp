@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/kernel/weighted_families.hpp"
 
 namespace k = leonhard::kernel;

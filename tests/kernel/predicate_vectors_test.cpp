@@ -6,6 +6,7 @@
 
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "tests/test_files.hpp"
 
 namespace k = leonhard::kernel;
 using leonhard::Point2;
@@ -18,7 +19,7 @@ std::istream& operator>>(std::istream& in, Point2& p) { return in >> p.x >> p.y;
 std::istream& operator>>(std::istream& in, Point3& p) { return in >> p.x >> p.y >> p.z; }
 
 std::ifstream open_vectors(const std::string& name) {
-  std::ifstream file(LEONHARD_TEST_DATA "/predicates/" + name);
+  std::ifstream file(leonhard::test::data_file("predicates/" + name));
   REQUIRE(file.is_open());
   return file;
 }

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "tests/kernel/point_families3.hpp"
 
 namespace k = leonhard::kernel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/kernel/stage.hpp"
+#include "leonhard/kernel/stages/stage.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,10 +9,10 @@
 #include <map>
 #include <optional>
 
-#include "leonhard/kernel/exact.hpp"
-#include "leonhard/kernel/integer_predicates.hpp"
-#include "leonhard/kernel/pair.hpp"
-#include "leonhard/kernel/small_multiples.hpp"
+#include "leonhard/kernel/arithmetic/pair.hpp"
+#include "leonhard/kernel/arithmetic/small_multiples.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
+#include "leonhard/kernel/stages/integer_predicates.hpp"
 #include "tests/kernel/point_families.hpp"
 #include "tests/kernel/point_families3.hpp"
 

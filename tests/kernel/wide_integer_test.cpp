@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/kernel/wide_integer.hpp"
+#include "leonhard/kernel/arithmetic/wide_integer.hpp"
 
 #include <doctest/doctest.h>
 #include <gmpxx.h>

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/mesh/exact_sum.hpp"
 #include "tests/mesh/tet_shelf.hpp"
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "leonhard/kernel/exact.hpp"
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/mesh/faces.hpp"
 #include "leonhard/mesh/tet_edges.hpp"
 #include "tests/mesh/tet_shelf.hpp"

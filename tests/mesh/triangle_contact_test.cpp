@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/triangle_contact.hpp"
+#include "leonhard/mesh/check/triangle_contact.hpp"
 
 #include <doctest/doctest.h>
 #include <gmpxx.h>
@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 
 using namespace leonhard;
 

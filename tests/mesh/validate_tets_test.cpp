@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "leonhard/kernel/exact.hpp"
+#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "tests/mesh/tet_shelf.hpp"
 

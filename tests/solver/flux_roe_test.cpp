@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/solver/flux_roe.hpp"
+#include "leonhard/solver/sweep/flux_roe.hpp"
 
 #include <doctest/doctest.h>
 

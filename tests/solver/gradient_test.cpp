@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "leonhard/solver/edge_plan.hpp"
 #include "leonhard/solver/gas.hpp"
-#include "leonhard/solver/limiter.hpp"
+#include "leonhard/solver/sweep/edge_plan.hpp"
+#include "leonhard/solver/sweep/limiter.hpp"
 #include "tests/solver/meshes.hpp"
 
 namespace {

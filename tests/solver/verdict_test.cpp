@@ -6,7 +6,7 @@
 #include <stop_token>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/solver/monitor.hpp"
+#include "leonhard/solver/march/monitor.hpp"
 #include "leonhard/solver/steady.hpp"
 #include "tests/solver/meshes.hpp"
 #include "tests/solver/session.hpp"

@@ -8,13 +8,14 @@
 #include <sstream>
 
 #include "leonhard/app/case/case.hpp"
+#include "tests/test_files.hpp"
 
 using namespace leonhard::app;
 
 namespace {
 
 std::string page() {
-  const std::filesystem::path file = std::filesystem::path(LEONHARD_TEST_DATA) / "../../docs/case-file.md";
+  const std::filesystem::path file = leonhard::test::source_folder() / "docs/case-file.md";
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
   REQUIRE_FALSE(text.str().empty());
@@ -56,7 +57,7 @@ TEST_CASE("the_page's_shortest_case_is_one") {
 
 TEST_CASE("every_example_is_a_valid_case") {
   std::size_t examples = 0;
-  const std::filesystem::path folder = std::filesystem::path(LEONHARD_TEST_DATA) / "../../examples";
+  const std::filesystem::path folder = leonhard::test::source_folder() / "examples";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".toml") continue;
     INFO("example: ", entry.path().string());

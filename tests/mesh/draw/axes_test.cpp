@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/draw/axes.hpp"
+#include "leonhard/mesh/draw/canvas/axes.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "leonhard/mesh/draw/scene.hpp"
+#include "leonhard/mesh/draw/plane/scene.hpp"
 #include "tests/mesh/draw/pictures.hpp"
 
 using namespace leonhard;

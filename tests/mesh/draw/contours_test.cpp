@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/draw/contours.hpp"
+#include "leonhard/mesh/draw/plane/contours.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "leonhard/mesh/draw/levels.hpp"
+#include "leonhard/mesh/draw/canvas/levels.hpp"
 #include "tests/mesh/draw/pictures.hpp"
 
 using namespace leonhard;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "leonhard/mesh/draw/field_layout.hpp"
 #include "leonhard/mesh/draw/mesh_picture.hpp"
+#include "leonhard/mesh/draw/plane/field_layout.hpp"
 #include "tests/mesh/draw/pictures.hpp"
 
 using namespace leonhard;

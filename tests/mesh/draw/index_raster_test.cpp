@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/draw/index_raster.hpp"
+#include "leonhard/mesh/draw/canvas/index_raster.hpp"
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "leonhard/mesh/draw/scene.hpp"
+#include "leonhard/mesh/draw/plane/scene.hpp"
 #include "tests/mesh/draw/pictures.hpp"
 
 using namespace leonhard;

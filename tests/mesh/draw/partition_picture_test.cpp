@@ -4,7 +4,7 @@
 #include <set>
 
 #include "leonhard/mesh/draw/mesh_picture.hpp"
-#include "leonhard/mesh/draw/scene.hpp"
+#include "leonhard/mesh/draw/plane/scene.hpp"
 #include "tests/mesh/draw/pictures.hpp"
 
 using namespace leonhard;

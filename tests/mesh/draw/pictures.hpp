@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/mesh/draw/canvas.hpp"
+#include "leonhard/mesh/draw/canvas/canvas.hpp"
 #include "leonhard/mesh/draw/draw.hpp"
 #include "tests/mesh/shelf.hpp"
 

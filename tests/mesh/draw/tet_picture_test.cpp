@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "leonhard/mesh/draw/levels.hpp"
-#include "leonhard/mesh/draw/tet_scene.hpp"
+#include "leonhard/mesh/draw/canvas/levels.hpp"
+#include "leonhard/mesh/draw/space/tet_scene.hpp"
 #include "tests/mesh/draw/kuhn_meshes.hpp"
 #include "tests/mesh/draw/pictures.hpp"
 

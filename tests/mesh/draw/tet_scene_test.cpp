@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/draw/tet_scene.hpp"
+#include "leonhard/mesh/draw/space/tet_scene.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
-#include "leonhard/mesh/draw/convex_scan.hpp"
-#include "leonhard/mesh/draw/painters_order.hpp"
+#include "leonhard/mesh/draw/canvas/convex_scan.hpp"
+#include "leonhard/mesh/draw/space/painters_order.hpp"
 #include "tests/mesh/draw/kuhn_meshes.hpp"
 
 using namespace leonhard;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "leonhard/mesh/io/simple_polygon.hpp"
+#include "leonhard/mesh/io/soup/simple_polygon.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
 
 using namespace leonhard;

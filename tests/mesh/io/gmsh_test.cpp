@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/io/gmsh.hpp"
+#include "leonhard/mesh/io/formats/gmsh.hpp"
 
 #include <bit>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/io/medit.hpp"
+#include "leonhard/mesh/io/formats/medit.hpp"
 
 #include "tests/mesh/io/sample_tet_meshes.hpp"
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/io/point_columns.hpp"
+#include "leonhard/mesh/io/text/point_columns.hpp"
 
 using namespace leonhard;
 

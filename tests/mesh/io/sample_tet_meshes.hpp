@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "leonhard/mesh/sorted_face.hpp"
+#include "leonhard/mesh/structures/sorted_face.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
 #include "tests/mesh/tet_shelf.hpp"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/io/su2.hpp"
+#include "leonhard/mesh/io/formats/su2.hpp"
 
 #include <fstream>
 #include <sstream>
 
 #include "leonhard/mesh/exact_area.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
+#include "tests/test_files.hpp"
 
 using namespace leonhard;
 using namespace leonhard::test;
@@ -79,7 +80,7 @@ TEST_CASE("su2_sections_may_come_in_any_order_with_comments_blank_lines_and_dos_
 }
 
 TEST_CASE("su2_file_in_tests_data_is_read_and_its_area_is_exact") {
-  const MeshFile file = io::read_su2(LEONHARD_TEST_DATA "/square_with_hole.su2");
+  const MeshFile file = io::read_su2(test::data_file("square_with_hole.su2"));
   CHECK(file.warnings.empty());
   CHECK(file.mesh.marker_names == std::map<Marker, std::string>{{1, "hole"}, {2, "outer"}});
   CHECK(mesh::exact_area2(file.mesh) == 2 * (16 - 4));

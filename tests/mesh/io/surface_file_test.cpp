@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "leonhard/mesh/io/surface_formats.hpp"
+#include "leonhard/mesh/io/formats/surface_formats.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
 
 using namespace leonhard;

@@ -6,7 +6,7 @@
 
 #include "leonhard/mesh/io/file_dimension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
-#include "leonhard/mesh/io/tet_soup.hpp"
+#include "leonhard/mesh/io/soup/tet_soup.hpp"
 #include "tests/mesh/io/folder.hpp"
 #include "tests/mesh/io/sample_tet_meshes.hpp"
 

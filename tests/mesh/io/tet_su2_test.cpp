@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/io/su2.hpp"
+#include "leonhard/mesh/io/formats/su2.hpp"
 #include "tests/mesh/io/sample_tet_meshes.hpp"
 
 using namespace leonhard;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/io/tetgen_files.hpp"
+#include "leonhard/mesh/io/formats/tetgen_files.hpp"
 
 #include "tests/mesh/io/sample_tet_meshes.hpp"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/io/triangle_files.hpp"
+#include "leonhard/mesh/io/formats/triangle_files.hpp"
 
 #include "leonhard/mesh/io/pslg_file.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
+#include "tests/test_files.hpp"
 
 using namespace leonhard;
 using namespace leonhard::test;
@@ -169,7 +170,7 @@ TEST_CASE("poly_file_without_points_takes_them_from_the_node_file") {
 }
 
 TEST_CASE("poly_file_in_tests_data_is_read") {
-  const Pslg pslg = io::read_pslg(LEONHARD_TEST_DATA "/square_with_hole.poly");
+  const Pslg pslg = io::read_pslg(test::data_file("square_with_hole.poly"));
   CHECK(pslg.points.size() == 8);
   CHECK(pslg.segments.size() == 8);
   CHECK(pslg.holes.size() == 1);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "leonhard/mesh/io/xml.hpp"
+#include "leonhard/mesh/io/formats/xml.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
 
 using namespace leonhard;

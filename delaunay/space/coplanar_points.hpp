@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+
+#include "leonhard/delaunay/space/first_tetrahedron.hpp"
+#include "leonhard/kernel/point.hpp"
+#include "leonhard/mesh/id.hpp"
+
+namespace leonhard::delaunay {
+
+/// Vertices in one plane, on one line or fewer, in lexicographic order: all there is to know of points that span no
+/// tetrahedron.
+class CoplanarPoints {
+  using Map = std::map<Point3, VertexId, std::less<>>;
+
+ public:
+  using const_iterator = Map::const_iterator;
+
+  [[nodiscard]] std::size_t size() const { return vertices_.size(); }
+  [[nodiscard]] bool empty() const { return vertices_.empty(); }
+  [[nodiscard]] const_iterator begin() const { return vertices_.begin(); }  ///< of pairs (point, vertex)
+  [[nodiscard]] const_iterator end() const { return vertices_.end(); }
+  [[nodiscard]] SpaceExtent extent() const { return basis_.extent; }  ///< never space
+
+  /// Whether p lies in what the points span: the plane, the line or the place; never if there are none.
+  [[nodiscard]] bool spans(const Point3& p) const;
+  [[nodiscard]] MaybeId<VertexId> find(const Point3& p) const;
+  /// The vertex nearest to any point of space, the lexicographically first of several; none if there is none.
+  /// Cost O(n).
+  [[nodiscard]] MaybeId<VertexId> nearest(const Point3& p) const;
+
+  /// p must be none of the points, and they with it must not span space. Cost O(log n).
+  void insert(const Point3& p, VertexId v);
+  /// Cost O(log n), O(n) for a few points that mark out the span.
+  void erase(const Point3& p);
+  void clear() { *this = {}; }
+
+ private:
+  void find_basis();
+
+  Map vertices_;
+  FirstTetrahedron basis_;              // of basis_points_
+  std::array<Point3, 4> basis_points_;  // that span what all do
+};
+
+}  // namespace leonhard::delaunay

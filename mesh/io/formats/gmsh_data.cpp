@@ -1,0 +1,490 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/mesh/io/formats/gmsh_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/formats/gmsh_numbers.hpp"
+
+namespace leonhard::io {
+
+namespace {
+
+/// What Gmsh calls an element type: how many nodes, and what becomes of it.
+struct ElementType {
+  std::int32_t number;
+  std::size_t nodes;
+  int dimension;
+  const char* name;
+  bool is_read;  ///< else it is left out in dimensions 0 and 1, and refused above
+};
+
+constexpr std::array<ElementType, 19> element_types{{{1, 2, 1, "lines", true},
+                                                     {2, 3, 2, "triangles", true},
+                                                     {3, 4, 2, "quadrilaterals", true},
+                                                     {4, 4, 3, "tetrahedra", true},
+                                                     {5, 8, 3, "hexahedra", false},
+                                                     {6, 6, 3, "prisms", false},
+                                                     {7, 5, 3, "pyramids", false},
+                                                     {8, 3, 1, "three-node lines", false},
+                                                     {9, 6, 2, "six-node triangles", false},
+                                                     {10, 9, 2, "nine-node quadrilaterals", false},
+                                                     {11, 10, 3, "ten-node tetrahedra", false},
+                                                     {12, 27, 3, "27-node hexahedra", false},
+                                                     {13, 18, 3, "18-node prisms", false},
+                                                     {14, 14, 3, "14-node pyramids", false},
+                                                     {15, 1, 0, "points", false},
+                                                     {16, 8, 2, "eight-node quadrilaterals", false},
+                                                     {17, 20, 3, "20-node hexahedra", false},
+                                                     {18, 15, 3, "15-node prisms", false},
+                                                     {19, 13, 3, "13-node pyramids", false}}};
+
+constexpr std::uint64_t most_nodes = std::numeric_limits<IdRaw>::max() / 2;
+
+/// A cell with the number of the geometry's entity that it lies on, which may have to stand for its group.
+struct CellOnEntity {
+  GmshCell cell;
+  Marker entity = 0;
+};
+
+/// Which id a node's tag has. Tags are any positive numbers, mostly 1, 2, 3, ...
+class NodeTags {
+ public:
+  void reserve(std::size_t count) { tags_.reserve(count); }
+  void add(std::uint64_t tag) {
+    in_order_ = in_order_ && (tags_.empty() || tag == tags_.back().first + 1);
+    tags_.emplace_back(tag, tags_.size());
+  }
+  /// returns a tag that comes twice, if there is one
+  std::optional<std::uint64_t> finish() {
+    if (in_order_) return std::nullopt;
+    std::sort(tags_.begin(), tags_.end());
+    const auto twice = std::adjacent_find(tags_.begin(), tags_.end(),
+                                          [](const auto& a, const auto& b) { return a.first == b.first; });
+    if (twice == tags_.end()) return std::nullopt;
+    return twice->first;
+  }
+  [[nodiscard]] std::optional<VertexId> find(std::uint64_t tag) const {
+    if (tags_.empty() || tag < tags_.front().first || tag > tags_.back().first) return std::nullopt;
+    if (in_order_) return VertexId::from(tag - tags_.front().first);
+    const auto found = std::lower_bound(tags_.begin(), tags_.end(), std::pair(tag, std::size_t{0}));
+    if (found->first != tag) return std::nullopt;
+    return VertexId::from(found->second);
+  }
+
+ private:
+  std::vector<std::pair<std::uint64_t, std::size_t>> tags_;
+  bool in_order_ = true;
+};
+
+class GmshParser {
+ public:
+  GmshParser(GmshNumbers& numbers, bool is_version_4, const std::string& source)
+      : numbers_(numbers), is_version_4_(is_version_4), source_(source) {}
+
+  GmshData parse() {
+    for (std::string line(numbers_.text_line()); !line.empty(); line = numbers_.text_line()) {
+      if (line.front() != '$')
+        numbers_.fail("found " + in_quotes(line) + " where a section ($...) was expected");
+      read_section(line.substr(1));
+    }
+    for (const char* section : {"Nodes", "Elements"})
+      if (!sections_.contains(section))
+        numbers_.fail(std::string("the file ends without a section $") + section, "it was cut short");
+    choose_groups();
+    return std::move(data_);
+  }
+
+ private:
+  void read_section(const std::string& name) {
+    if (name == "Nodes" || name == "Elements" || name == "Entities" || name == "PhysicalNames") {
+      if (!sections_.insert(name).second) numbers_.fail("the section $" + name + " comes a second time");
+      if (name == "PhysicalNames") read_names();
+      if (name == "Entities") read_entities();
+      if (name == "Nodes") is_version_4_ ? read_node_blocks() : read_nodes();
+      if (name == "Elements") is_version_4_ ? read_element_blocks() : read_elements();
+      const std::string_view end = numbers_.text_line();
+      if (end != "$End" + name)
+        numbers_.fail(end.empty() ? "the file ends inside the section $" + name
+                                  : "found " + in_quotes(end) + " where $End" + name + " was expected",
+                      "a count is wrong, or the file was cut short");
+      return;
+    }
+    if (name == "PartitionedEntities")
+      numbers_.fail("the mesh is partitioned", "save it as one (Gmsh: Mesh.SaveAll after unpartitioning)");
+    if (name != "Comments")
+      data_.warnings.push_back(numbers_.where() + ": the section $" + name + " was passed over");
+    numbers_.skip_past("$End" + name);
+  }
+
+  /// A line of text, whose numbers and words are read one by one.
+  TextScanner line_scanner(const char* expected) {
+    const std::string_view text = numbers_.text_line();
+    if (text.empty())
+      numbers_.fail(std::string("the file ends where ") + expected + " was expected", "it was cut short");
+    TextScanner scan(text, source_, {.lines_before = std::max<std::size_t>(numbers_.line(), 1) - 1});
+    scan.next_line();
+    return scan;
+  }
+
+  std::size_t read_line_count(const char* expected) {
+    TextScanner scan = line_scanner(expected);
+    const std::int64_t count = scan.integer(expected);
+    scan.expect_line_end(expected);
+    if (count < 0) scan.fail("found " + std::to_string(count) + " where " + expected + " was expected");
+    return static_cast<std::size_t>(count);
+  }
+
+  void read_names() {
+    const std::size_t count = read_line_count("the number of names");
+    for (std::size_t i = 0; i < count; ++i) {
+      TextScanner scan = line_scanner("the name of a physical group");
+      const std::int32_t dimension = scan.integer32("the dimension of a physical group");
+      const Marker group = magnitude(scan.integer32("the number of a physical group"));
+      std::string_view name = scan.rest();
+      if (name.size() < 2 || name.front() != '"' || name.back() != '"')
+        scan.fail("found " + in_quotes(name) + " where a name in quotation marks was expected");
+      name = name.substr(1, name.size() - 2);
+      if (std::any_of(name.begin(), name.end(),
+                      [](char c) { return c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
+        scan.fail("the name " + in_quotes(name) + " holds a control character or a quotation mark");
+      if (!data_.names.emplace(std::pair(dimension, group), name).second)
+        scan.fail("the physical group " + std::to_string(group) + " of dimension " +
+                  std::to_string(dimension) + " gets a second name");
+    }
+  }
+
+  Marker magnitude(std::int32_t group) const {
+    if (group == std::numeric_limits<std::int32_t>::min())
+      numbers_.fail("the number of a physical group is too large");
+    return std::abs(group);
+  }
+
+  void read_entities() {
+    std::array<std::uint64_t, 4> counts{};
+    for (std::uint64_t& count : counts) count = numbers_.size("a number of entities");
+    for (int dimension = 0; dimension < 4; ++dimension) {
+      const std::uint64_t count = counts[static_cast<std::size_t>(dimension)];
+      numbers_.need(count, dimension == 0 ? 5 : 8, "entities");
+      for (std::uint64_t i = 0; i < count; ++i) read_entity(dimension);
+    }
+  }
+
+  void read_entity(int dimension) {
+    const std::int32_t tag = numbers_.integer("the number of an entity");
+    for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) numbers_.real("a corner of the box about an entity");
+    const std::uint64_t groups = numbers_.size("the number of physical groups of an entity");
+    numbers_.need(groups, 1, "physical groups");
+    for (std::uint64_t i = 0; i < groups; ++i) {
+      const Marker group = magnitude(numbers_.integer("the number of a physical group"));
+      if (i == 0) group_of_entity_[{dimension, tag}] = group;
+    }
+    if (groups > 1 && dimension >= 1)
+      data_.warnings.push_back("entity " + std::to_string(tag) + " of dimension " +
+                               std::to_string(dimension) + " is in " + std::to_string(groups) +
+                               " physical groups; the first one was taken");
+    if (dimension == 0) return;
+    const std::uint64_t bounding = numbers_.size("the number of entities that bound another");
+    numbers_.need(bounding, 1, "bounding entities");
+    for (std::uint64_t i = 0; i < bounding; ++i) numbers_.integer("the number of an entity");
+  }
+
+  // ---- nodes ----
+
+  void add_point() {
+    const double x = numbers_.real("the x coordinate of a node"),
+                 y = numbers_.real("the y coordinate of a node");
+    const Point3 p{x, y, numbers_.real("the z coordinate of a node")};
+    if (!is_finite(p))
+      numbers_.fail(
+          "node " + std::to_string(data_.points.size()) + " (from 0) has a coordinate that is not finite",
+          "NaN and infinities are bad input; find out what wrote them");
+    data_.points.push_back(p);
+  }
+
+  void need_nodes(std::uint64_t count, std::size_t numbers_each) {
+    numbers_.need(count, numbers_each, "nodes");
+    if (count > most_nodes)
+      numbers_.fail("there are " + std::to_string(count) + " nodes, more than ids can number");
+    data_.points.reserve(data_.points.size() + count);
+    tags_.reserve(data_.points.size() + count);
+  }
+
+  void check_tags() {
+    if (const auto twice = tags_.finish())
+      numbers_.fail("the node " + std::to_string(*twice) + " comes twice",
+                    "give each node a number of its own");
+  }
+
+  void read_nodes() {
+    const std::size_t count = read_line_count("the number of nodes");
+    need_nodes(count, 4);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int32_t tag = numbers_.integer("the number of a node");
+      if (tag < 0) numbers_.fail("a node has the number " + std::to_string(tag));
+      tags_.add(static_cast<std::uint64_t>(tag));
+      add_point();
+    }
+    check_tags();
+  }
+
+  void read_node_blocks() {
+    const std::uint64_t blocks = numbers_.size("the number of blocks of nodes");
+    const std::uint64_t total = numbers_.size("the number of nodes");
+    numbers_.size("the least number of a node");
+    numbers_.size("the largest number of a node");
+    numbers_.need(blocks, 4, "blocks");
+    need_nodes(total, 4);
+    for (std::uint64_t b = 0; b < blocks; ++b) {
+      const std::int32_t dimension = numbers_.integer("the dimension of an entity");
+      numbers_.integer("the number of an entity");
+      const std::int32_t parametric = numbers_.integer("whether nodes have parameters");
+      if (dimension < 0 || dimension > 3 || (parametric != 0 && parametric != 1))
+        numbers_.fail("the header of a block of nodes makes no sense (dimension " +
+                      std::to_string(dimension) + ", parametric " + std::to_string(parametric) + ")");
+      const std::uint64_t count = numbers_.size("the number of nodes of a block");
+      if (count > total - data_.points.size())
+        numbers_.fail("the blocks hold more nodes than the section declares");
+      for (std::uint64_t i = 0; i < count; ++i) tags_.add(numbers_.size("the number of a node"));
+      for (std::uint64_t i = 0; i < count; ++i) {
+        add_point();
+        for (int k = 0; k < (parametric == 1 ? dimension : 0); ++k) numbers_.real("a parameter of a node");
+      }
+    }
+    if (data_.points.size() != total)
+      numbers_.fail("the section declares " + std::to_string(total) + " nodes, but its blocks hold " +
+                    std::to_string(data_.points.size()));
+    check_tags();
+  }
+
+  // ---- elements ----
+
+  const ElementType& type_of(std::int32_t number) const {
+    const auto found = std::find_if(element_types.begin(), element_types.end(),
+                                    [&](const ElementType& type) { return type.number == number; });
+    const bool is_known = found != element_types.end();
+    if (!is_known || (!found->is_read && found->dimension > 1))
+      numbers_.fail(
+          "the file has " +
+              (is_known ? std::string(found->name) : "elements of type " + std::to_string(number)),
+          "only points, lines, triangles, quadrilaterals and tetrahedra of the first order can be read");
+    return *found;
+  }
+
+  std::vector<CellOnEntity>& list_of(const ElementType& type) {
+    return cells_[static_cast<std::size_t>(type.number) - 1];
+  }
+
+  VertexId node(std::uint64_t tag) const {
+    const auto id = tags_.find(tag);
+    if (!id) numbers_.fail("an element names node " + std::to_string(tag) + ", which the file does not have");
+    return *id;
+  }
+
+  void need_nodes_first() const {
+    if (!sections_.contains("Nodes")) numbers_.fail("the section $Elements comes before $Nodes");
+  }
+
+  /// An element after its tags. next: reads the tag of a node
+  template <class Next>
+  void read_element(const ElementType& type, Marker group, Marker entity, const Next& next) {
+    CellOnEntity result{{{}, group, numbers_.line()}, entity};
+    for (std::size_t k = 0; k < type.nodes; ++k) {
+      const std::uint64_t tag = next();
+      if (type.is_read) result.cell.corners[k] = node(tag);
+    }
+    if (type.is_read) list_of(type).push_back(result);
+  }
+
+  std::uint64_t old_node() {
+    const std::int32_t tag = numbers_.integer("a node of an element");
+    if (tag < 0) numbers_.fail("an element names node " + std::to_string(tag));
+    return static_cast<std::uint64_t>(tag);
+  }
+
+  void read_old_element(const ElementType& type, std::int32_t tags) {
+    Marker group = 0, entity = 0;
+    for (std::int32_t i = 0; i < tags; ++i) {
+      const std::int32_t tag = numbers_.integer("a tag of an element");
+      if (i == 0) group = magnitude(tag);
+      if (i == 1) entity = magnitude(tag);
+    }
+    read_element(type, group, entity, [&] { return old_node(); });
+  }
+
+  void check_tag_count(std::int32_t tags) const {
+    if (tags < 0) numbers_.fail("an element has " + std::to_string(tags) + " tags");
+    numbers_.need(static_cast<std::uint64_t>(tags), 1, "tags");
+  }
+
+  void read_elements() {
+    need_nodes_first();
+    const std::size_t count = read_line_count("the number of elements");
+    if (numbers_.line() == 0) return read_old_blocks(count);
+    numbers_.need(count, 4, "elements");
+    for (std::size_t i = 0; i < count; ++i) {
+      numbers_.integer("the number of an element");
+      const ElementType& type = type_of(numbers_.integer("the type of an element"));
+      const std::int32_t tags = numbers_.integer("the number of tags of an element");
+      check_tag_count(tags);
+      read_old_element(type, tags);
+    }
+  }
+
+  /// Binary: elements of one type under one header.
+  void read_old_blocks(std::size_t count) {
+    for (std::size_t done = 0; done < count;) {
+      const ElementType& type = type_of(numbers_.integer("the type of elements"));
+      const std::int32_t many = numbers_.integer("the number of elements of a block");
+      const std::int32_t tags = numbers_.integer("the number of tags of an element");
+      check_tag_count(tags);
+      if (many <= 0 || static_cast<std::uint64_t>(many) > count - done)
+        numbers_.fail("a block of " + std::to_string(many) + " elements where " +
+                      std::to_string(count - done) + " are left");
+      numbers_.need(static_cast<std::uint64_t>(many), 1 + type.nodes + static_cast<std::size_t>(tags),
+                    "elements");
+      for (std::int32_t i = 0; i < many; ++i) {
+        numbers_.integer("the number of an element");
+        read_old_element(type, tags);
+      }
+      done += static_cast<std::size_t>(many);
+    }
+  }
+
+  void read_element_blocks() {
+    need_nodes_first();
+    const std::uint64_t blocks = numbers_.size("the number of blocks of elements");
+    const std::uint64_t total = numbers_.size("the number of elements");
+    numbers_.size("the least number of an element");
+    numbers_.size("the largest number of an element");
+    numbers_.need(blocks, 4, "blocks");
+    std::uint64_t done = 0;
+    for (std::uint64_t b = 0; b < blocks; ++b) {
+      numbers_.integer("the dimension of an entity");
+      const std::int32_t entity = numbers_.integer("the number of an entity");
+      const ElementType& type = type_of(numbers_.integer("the type of elements"));
+      const std::uint64_t count = numbers_.size("the number of elements of a block");
+      numbers_.need(count, 1 + type.nodes, "elements");
+      const auto found = group_of_entity_.find({type.dimension, entity});
+      const Marker group = found == group_of_entity_.end() ? 0 : found->second;
+      for (std::uint64_t i = 0; i < count; ++i) {
+        numbers_.size("the number of an element");
+        read_element(type, group, magnitude(entity), [&] { return numbers_.size("a node of an element"); });
+      }
+      done += count;
+    }
+    if (done != total)
+      numbers_.fail("the section declares " + std::to_string(total) + " elements, but its blocks hold " +
+                    std::to_string(done));
+  }
+
+  // ---- the end ----
+
+  /// Groups as they are or, where the file knows nothing of groups, the entities' numbers.
+  void choose_groups() {
+    const auto in_a_group = [](const CellOnEntity& c) { return c.cell.group != 0; };
+    const bool by_entity =
+        !sections_.contains("PhysicalNames") &&
+        std::none_of(cells_.begin(), cells_.end(), [&](const std::vector<CellOnEntity>& list) {
+          return std::any_of(list.begin(), list.end(), in_a_group);
+        });
+    const std::array<std::vector<GmshCell>*, 4> lists{&data_.lines, &data_.triangles, &data_.quadrilaterals,
+                                                      &data_.tetrahedra};
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      lists[i]->reserve(cells_[i].size());
+      for (CellOnEntity& c : cells_[i]) {
+        if (by_entity) c.cell.group = c.entity;
+        lists[i]->push_back(c.cell);
+      }
+      cells_[i] = {};
+    }
+    if (by_entity)
+      data_.warnings.push_back(
+          source_ + ": there are no physical groups; the numbers of the geometry's entities are the markers");
+  }
+
+  GmshNumbers& numbers_;
+  bool is_version_4_;
+  const std::string& source_;
+  GmshData data_;
+  std::set<std::string> sections_;
+  std::map<std::pair<int, std::int32_t>, Marker> group_of_entity_;
+  NodeTags tags_;
+  std::array<std::vector<CellOnEntity>, 4> cells_;  ///< lines, triangles, quadrilaterals, tetrahedra
+};
+
+/// What the section $MeshFormat says.
+struct GmshFormat {
+  bool is_version_4 = false, is_binary = false, swapped = false;
+  std::size_t bytes = 0;  ///< of the section: what follows begins there
+};
+
+/// A binary file shows its byte order by the integer 1.
+bool is_swapped(std::string_view bytes, std::size_t offset, const std::string& source) {
+  ByteReader reader(bytes, source, offset, false);
+  const auto one = reader.take<std::int32_t>("the integer 1, which tells the byte order");
+  if (one == 1) return false;
+  if (number_at<std::int32_t>(bytes.data() + offset, true) == 1) return true;
+  throw InputError(source, "the integer after the format is neither 1 nor a 1 in the other byte order",
+                   "the file was damaged, perhaps by a transfer as text");
+}
+
+GmshFormat read_format(std::string_view bytes, const std::string& source) {
+  const std::size_t start = bytes.find("$MeshFormat");
+  const std::size_t line_begin = start == std::string_view::npos ? start : bytes.find('\n', start);
+  const std::size_t line_end =
+      line_begin == std::string_view::npos ? line_begin : bytes.find('\n', line_begin + 1);
+  if (line_end == std::string_view::npos ||
+      bytes.substr(0, start).find_first_not_of(" \t\r\n") != std::string_view::npos)
+    throw InputError(source, "does not begin with $MeshFormat", "give a mesh of Gmsh, format 2.2 or 4.1");
+  const auto lines_before = static_cast<std::size_t>(
+      std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(line_begin), '\n'));
+  TextScanner scan(bytes.substr(line_begin + 1, line_end - line_begin - 1), source,
+                   {.lines_before = lines_before + 1});
+  scan.need_line("the format");
+  const double version = scan.number("the version of the format");
+  const std::int64_t kind = scan.integer("0 for text or 1 for binary"),
+                     size = scan.integer("the size of a number");
+  GmshFormat format;
+  format.is_version_4 = version == 4.1;
+  if (!format.is_version_4 && version != 2.2 && version != 2.1 && version != 2)
+    scan.fail("the format has another version than 2.2 and 4.1", "save it again (Gmsh: -format msh41)");
+  if ((kind != 0 && kind != 1) || size != 8)
+    scan.fail("the line of the format makes no sense", "expected is \"4.1 0 8\"");
+  format.is_binary = kind == 1;
+  format.bytes = line_end + 1;
+  if (format.is_binary) {
+    format.swapped = is_swapped(bytes, format.bytes, source);
+    format.bytes += sizeof(std::int32_t);
+  }
+  return format;
+}
+
+/// The scanner of a text stands before $EndMeshFormat here, and so does the one of binary data.
+GmshData parse_body(GmshNumbers& numbers, const GmshFormat& format, const std::string& source) {
+  const std::string_view end = numbers.text_line();
+  if (end != "$EndMeshFormat") numbers.fail("found " + in_quotes(end) + " where $EndMeshFormat was expected");
+  return GmshParser(numbers, format.is_version_4, source).parse();
+}
+
+}  // namespace
+
+GmshData parse_gmsh_data(std::string_view bytes, const std::string& source) {
+  const GmshFormat format = read_format(bytes, source);
+  if (format.is_binary) {
+    GmshBytes numbers(bytes, source, format.bytes, format.swapped);
+    return parse_body(numbers, format, source);
+  }
+  GmshText numbers(bytes, source);
+  numbers.text_line();  // $MeshFormat
+  numbers.text_line();  // the line just read
+  return parse_body(numbers, format, source);
+}
+
+}  // namespace leonhard::io

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
+#include "leonhard/mesh/io/formats/vtu_grid.hpp"
+#include "leonhard/mesh/io/formats/vtu_names.hpp"
+#include "leonhard/mesh/io/soup/cell_soup.hpp"
+#include "leonhard/mesh/io/soup/tet_soup.hpp"
+#include "leonhard/mesh/io/text_scanner.hpp"
+#include "leonhard/mesh/io/vtu.hpp"
+
+namespace leonhard::io {
+
+namespace {
+
+void check_vertex_count(const VtuGrid& grid, const VtuCells& cells, std::size_t c, std::size_t expected) {
+  if (cells.vertices(c).size() != expected)
+    grid.fail(*cells.array, "cell " + std::to_string(c) + " of type " + std::to_string(cells.types[c]) +
+                                " has " + std::to_string(cells.vertices(c).size()) + " vertices");
+}
+
+/// A cell's vertices as ids that exist.
+template <std::size_t count>
+std::array<VertexId, count> ids_of(const VtuGrid& grid, const VtuCells& cells, std::size_t c) {
+  check_vertex_count(grid, cells, c, count);
+  std::array<VertexId, count> ids;
+  for (std::size_t i = 0; i < count; ++i) ids[i] = grid.vertex(*cells.array, cells.vertices(c)[i]);
+  return ids;
+}
+
+/// Rows of `count` vertices and a marker.
+template <std::size_t count, class Add>
+void for_each_marked(const VtuGrid& grid, const XmlElement& array, const Add& add) {
+  const std::vector<std::int64_t> rows = grid.read_rows(array, count + 1);
+  for (std::size_t i = 0; i < rows.size(); i += count + 1) {
+    std::array<VertexId, count> ids;
+    for (std::size_t k = 0; k < count; ++k) ids[k] = grid.vertex(array, rows[i + k]);
+    add(ids, grid.marker(array, rows[i + count]));
+  }
+}
+
+/// Files of other programs: marked cells of the boundary got 1 where they have no marker, and so did faces without cells.
+template <class File>
+File with_name_for_1(File file, bool knows_boundary) {
+  const auto has_marker_1 = [](const auto& element) { return element.marker == 1; };
+  if (!knows_boundary && std::any_of(file.mesh.boundary.begin(), file.mesh.boundary.end(), has_marker_1))
+    file.mesh.marker_names.try_emplace(1, "boundary");
+  return file;
+}
+
+// ---- the plane ----
+
+void read_plane_points(const VtuGrid& grid, CellSoup& soup) {
+  const std::vector<Point3> points = grid.read_points();
+  soup.points.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].z != points[0].z)
+      grid.fail(grid.points_array(),
+                "point " + std::to_string(i) + " has z = " + std::to_string(points[i].z) +
+                    " unlike the first, which has z = " + std::to_string(points[0].z),
+                "only meshes in a plane z = const can be read");
+    soup.points.push_back({points[i].x, points[i].y});
+  }
+  soup.vertex_markers = grid.read_vertex_markers();
+}
+
+void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
+  const VtuCells cells = grid.read_cells();
+  const std::vector<Marker> markers = grid.read_cell_markers();
+  const std::vector<double> regions = grid.read_regions();
+  for (std::size_t c = 0; c < cells.count(); ++c) {
+    const std::int64_t type = cells.types[c];
+    if (type == vtk_vertex) {
+      check_vertex_count(grid, cells, c, 1);
+    } else if (type == vtk_line) {
+      const auto [from, to] = ids_of<2>(grid, cells, c);
+      soup.edges.push_back({from, to, markers.empty() ? 1 : markers[c]});
+    } else if (type == vtk_triangle) {
+      const auto [i, j, k] = ids_of<3>(grid, cells, c);
+      soup.cells.push_back({{i, j, k}, 3});
+    } else if (type == vtk_quadrilateral) {
+      soup.cells.push_back({ids_of<4>(grid, cells, c), 4});
+    } else {
+      grid.fail(*cells.array, "cell " + std::to_string(c) + " has the type " + std::to_string(type),
+                "only triangles (5), quadrilaterals (9), and lines (3) on the boundary can be read");
+    }
+    const bool is_cell = type == vtk_triangle || type == vtk_quadrilateral;
+    if (is_cell && !regions.empty()) soup.cell_regions.push_back(regions[c]);
+  }
+}
+
+/// returns whether the file says what the boundary is, as those that write_vtu wrote do
+bool read_plane_boundary(const VtuGrid& grid, CellSoup& soup) {
+  const auto read = [&](const char* name, std::vector<MarkedEdge>& edges) {
+    const XmlElement* array = VtuGrid::find_array(grid.field_data(), name);
+    if (array == nullptr) return false;
+    edges.clear();
+    for_each_marked<2>(grid, *array, [&](const std::array<VertexId, 2>& ends, Marker marker) {
+      edges.push_back({ends[0], ends[1], marker});
+    });
+    return true;
+  };
+  soup.marker_names = grid.read_marker_names();
+  read(vtu_names::constraints, soup.constraints);
+  return read(vtu_names::boundary, soup.edges);
+}
+
+// ---- space ----
+
+void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
+  const VtuCells cells = grid.read_cells();
+  const std::vector<Marker> markers = grid.read_cell_markers();
+  const std::vector<double> regions = grid.read_regions();
+  for (std::size_t c = 0; c < cells.count(); ++c) {
+    const std::int64_t type = cells.types[c];
+    if (type == vtk_vertex) {
+      check_vertex_count(grid, cells, c, 1);
+    } else if (type == vtk_line) {
+      check_vertex_count(grid, cells, c, 2);
+    } else if (type == vtk_triangle) {
+      soup.faces.push_back({ids_of<3>(grid, cells, c), markers.empty() ? 1 : markers[c]});
+    } else if (type == vtk_tetrahedron) {
+      soup.cells.push_back({ids_of<4>(grid, cells, c)});
+      if (!regions.empty()) soup.cell_regions.push_back(regions[c]);
+    } else {
+      const char* name = type == 12   ? " (hexahedron)"
+                         : type == 13 ? " (prism)"
+                         : type == 14 ? " (pyramid)"
+                                      : "";
+      grid.fail(*cells.array, "cell " + std::to_string(c) + " has the type " + std::to_string(type) + name,
+                "only tetrahedra (10), and triangles (5) on the boundary or inside, can be read");
+    }
+  }
+}
+
+/// returns whether the file says what the boundary is, as those that write_vtu wrote do
+bool read_space_boundary(const VtuGrid& grid, TetSoup& soup) {
+  const XmlElement* boundary = VtuGrid::find_array(grid.field_data(), vtu_names::boundary);
+  soup.marker_names = grid.read_marker_names();
+  if (boundary == nullptr) return false;
+  soup.faces.clear();
+  const auto add = [&](const std::array<VertexId, 3>& corners, Marker marker) {
+    soup.faces.push_back({corners, marker});
+  };
+  for_each_marked<3>(grid, *boundary, add);
+  if (const XmlElement* interfaces = VtuGrid::find_array(grid.field_data(), vtu_names::interfaces))
+    for_each_marked<3>(grid, *interfaces, add);
+  return true;
+}
+
+}  // namespace
+
+MeshFile parse_vtu(std::string_view bytes, const std::string& source) {
+  const XmlElement root = parse_xml(bytes, source, "AppendedData");
+  const VtuGrid grid(root, source);
+  CellSoup soup;
+  soup.source = source;
+  read_plane_points(grid, soup);
+  read_plane_cells(grid, soup);
+  const bool knows_boundary = read_plane_boundary(grid, soup);
+  const EdgeRule rule = knows_boundary ? EdgeRule::edges_are_the_boundary : EdgeRule::fill_in_the_boundary;
+  return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
+}
+
+TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source) {
+  const XmlElement root = parse_xml(bytes, source, "AppendedData");
+  const VtuGrid grid(root, source);
+  TetSoup soup;
+  soup.source = source;
+  soup.points = PerId<VertexId, Point3>(grid.read_points());
+  soup.vertex_markers = grid.read_vertex_markers();
+  read_space_cells(grid, soup);
+  const bool knows_boundary = read_space_boundary(grid, soup);
+  const FaceRule rule = knows_boundary ? FaceRule::boundary_and_interfaces : FaceRule::fill_in_the_boundary;
+  return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
+}
+
+MeshFile read_vtu(const std::filesystem::path& path) {
+  return parse_vtu(read_whole_file(path), path.string());
+}
+
+TetMeshFile read_tet_vtu(const std::filesystem::path& path) {
+  return parse_tet_vtu(read_whole_file(path), path.string());
+}
+
+PointField read_vtu_field(const std::filesystem::path& path, const std::string& name) {
+  const std::string bytes = read_whole_file(path), source = path.string();
+  const XmlElement root = parse_xml(bytes, source, "AppendedData");
+  return VtuGrid(root, source).read_field(name);
+}
+
+}  // namespace leonhard::io

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include <bit>
+#include <cstdint>
+#include <set>
+#include <type_traits>
+
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/atomic_file.hpp"
+#include "leonhard/mesh/io/formats/vtk_array.hpp"
+#include "leonhard/mesh/io/formats/vtu_names.hpp"
+#include "leonhard/mesh/io/formats/xml.hpp"
+#include "leonhard/mesh/io/vtu.hpp"
+
+namespace leonhard::io {
+
+namespace {
+
+constexpr std::uint8_t triangle_type = 5, tetrahedron_type = 10;
+
+template <class T>
+constexpr const char* vtk_type() {
+  if constexpr (std::is_same_v<T, double>) return "Float64";
+  if constexpr (std::is_same_v<T, std::int64_t>) return "Int64";
+  if constexpr (std::is_same_v<T, std::int32_t>) return "Int32";
+  if constexpr (std::is_same_v<T, std::uint8_t>) return "UInt8";
+}
+
+/// The XML of a file and the appended data that it points into, growing together.
+class VtuText {
+ public:
+  void line(const std::string& text) { xml_ += text + "\n"; }
+
+  /// rows of `components` numbers; tuples = true adds their number, which field data needs.
+  template <class T>
+  void array(const std::string& name, std::size_t components, const std::vector<T>& values,
+             bool tuples = false) {
+    xml_ += "<DataArray type=\"" + std::string(vtk_type<T>()) + "\" Name=\"" + xml_escaped(name) +
+            "\" NumberOfComponents=\"" + std::to_string(components) + "\"";
+    if (tuples) xml_ += " NumberOfTuples=\"" + std::to_string(values.size() / components) + "\"";
+    xml_ += " format=\"appended\" offset=\"" + std::to_string(appended_.size()) + "\"/>\n";
+    append_vtk_bytes(appended_, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+  }
+
+  [[nodiscard]] std::string finish() && {
+    xml_ += "<AppendedData encoding=\"raw\">\n_";
+    return std::move(xml_) + appended_ + "\n</AppendedData>\n</VTKFile>\n";
+  }
+
+ private:
+  std::string xml_, appended_;
+};
+
+void check_fields(std::size_t vertex_count, const std::vector<PointField>& fields) {
+  std::set<std::string> names{vtu_names::vertex_marker};
+  for (const PointField& field : fields) {
+    const std::string where = "field \"" + field.name + "\"";
+    if (field.name.empty()) throw InputError("", "a point field has no name", "name each field");
+    if (!names.insert(field.name).second)
+      throw InputError(where, "another point field has this name",
+                       "give each field a name of its own, not \"marker\"");
+    if (field.components == 0 || field.values.size() != field.components * vertex_count)
+      throw InputError(where, std::to_string(field.values.size()) + " values in rows of " +
+                                  std::to_string(field.components) + " do not fit " +
+                                  std::to_string(vertex_count) + " vertices");
+  }
+}
+
+/// Two-component rows as three-component ones.
+std::vector<double> with_third_component(const std::vector<double>& pairs) {
+  std::vector<double> triples;
+  triples.reserve(pairs.size() / 2 * 3);
+  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
+    triples.insert(triples.end(), {pairs[i], pairs[i + 1], 0.0});
+  return triples;
+}
+
+/// Rows of the vertices and the marker of each.
+std::vector<std::int64_t> rows_of(const std::vector<MarkedEdge>& edges) {
+  std::vector<std::int64_t> rows;
+  for (const MarkedEdge& edge : edges)
+    rows.insert(rows.end(), {static_cast<std::int64_t>(edge.from.index()),
+                             static_cast<std::int64_t>(edge.to.index()), std::int64_t{edge.marker}});
+  return rows;
+}
+std::vector<std::int64_t> rows_of(const std::vector<MarkedFace>& faces) {
+  std::vector<std::int64_t> rows;
+  for (const MarkedFace& face : faces) {
+    for (const VertexId v : face.corners) rows.push_back(static_cast<std::int64_t>(v.index()));
+    rows.push_back(face.marker);
+  }
+  return rows;
+}
+
+void write_boundary(VtuText& text, const TriangleMesh& mesh) {
+  text.array(vtu_names::boundary, 3, rows_of(mesh.boundary), true);
+  if (!mesh.constraints.empty()) text.array(vtu_names::constraints, 3, rows_of(mesh.constraints), true);
+}
+void write_boundary(VtuText& text, const TetMesh& mesh) {
+  text.array(vtu_names::boundary, 4, rows_of(mesh.boundary), true);
+  if (!mesh.interfaces.empty()) text.array(vtu_names::interfaces, 4, rows_of(mesh.interfaces), true);
+}
+
+template <class Mesh>
+void write_field_data(VtuText& text, const Mesh& mesh) {
+  text.line("<FieldData>");
+  write_boundary(text, mesh);
+  if (!mesh.marker_names.empty()) {
+    std::vector<std::int64_t> numbers;
+    std::vector<std::uint8_t> names;
+    for (const auto& [marker, name] : mesh.marker_names) {
+      if (name.find('\0') != std::string::npos)
+        throw InputError("marker " + std::to_string(marker), "its name holds a zero byte",
+                         "choose another name");
+      numbers.push_back(marker);
+      names.insert(names.end(), name.begin(), name.end());
+      names.push_back(0);
+    }
+    text.array(vtu_names::marker_numbers, 1, numbers, true);
+    text.array(vtu_names::marker_names, 1, names, true);
+  }
+  text.line("</FieldData>");
+}
+
+template <class Mesh>
+void write_point_data(VtuText& text, const Mesh& mesh, const std::vector<PointField>& fields) {
+  text.line("<PointData>");
+  for (const PointField& field : fields) {
+    if (field.components == 2) {
+      text.array(field.name, 3, with_third_component(field.values));
+    } else {
+      text.array(field.name, field.components, field.values);
+    }
+  }
+  if (!mesh.vertex_markers.empty()) text.array(vtu_names::vertex_marker, 1, mesh.vertex_markers.flat());
+  text.line("</PointData>");
+}
+
+Point3 in_space(Point2 p) { return {p.x, p.y, 0}; }
+const Point3& in_space(const Point3& p) { return p; }
+
+template <class Mesh>
+void write_grid(VtuText& text, const Mesh& mesh, std::uint8_t cell_type) {
+  text.line("<CellData>");
+  if (!mesh.regions.empty()) text.array(vtu_names::region, 1, mesh.regions.flat());
+  text.line("</CellData>");
+
+  text.line("<Points>");
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * mesh.vertex_count());
+  for (const auto& point : mesh.points) {
+    const Point3 p = in_space(point);
+    coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
+  }
+  text.array("Points", 3, coordinates);
+  text.line("</Points>");
+
+  text.line("<Cells>");
+  std::vector<std::int64_t> connectivity, offsets;
+  connectivity.reserve(4 * mesh.corners.size());
+  offsets.reserve(mesh.corners.size());
+  for (const auto& corners : mesh.corners) {
+    for (const VertexId v : corners) connectivity.push_back(static_cast<std::int64_t>(v.index()));
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  }
+  text.array("connectivity", 1, connectivity);
+  text.array("offsets", 1, offsets);
+  text.array("types", 1, std::vector<std::uint8_t>(mesh.corners.size(), cell_type));
+  text.line("</Cells>");
+}
+
+template <class Mesh>
+std::string format(const Mesh& mesh, const std::vector<PointField>& fields, std::uint8_t cell_type) {
+  check_fields(mesh.vertex_count(), fields);
+  VtuText text;
+  const std::string compressor(vtk_compressor());
+  text.line("<?xml version=\"1.0\"?>");
+  text.line(std::string("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"") +
+            (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian") +
+            "\" header_type=\"UInt64\"" + (compressor.empty() ? "" : " compressor=\"" + compressor + "\"") +
+            ">");
+  text.line("<UnstructuredGrid>");
+  write_field_data(text, mesh);
+  text.line("<Piece NumberOfPoints=\"" + std::to_string(mesh.vertex_count()) + "\" NumberOfCells=\"" +
+            std::to_string(mesh.corners.size()) + "\">");
+  write_point_data(text, mesh, fields);
+  write_grid(text, mesh, cell_type);
+  text.line("</Piece>");
+  text.line("</UnstructuredGrid>");
+  return std::move(text).finish();
+}
+
+}  // namespace
+
+std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& fields) {
+  return format(mesh, fields, triangle_type);
+}
+std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& fields) {
+  return format(mesh, fields, tetrahedron_type);
+}
+
+void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
+               const std::vector<PointField>& fields) {
+  write_file_atomically(path, format_vtu(mesh, fields));
+}
+void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
+               const std::vector<PointField>& fields) {
+  write_file_atomically(path, format_vtu(mesh, fields));
+}
+
+}  // namespace leonhard::io

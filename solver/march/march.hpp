@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "leonhard/solver/march/monitor.hpp"
+#include "leonhard/solver/residual.hpp"
+#include "leonhard/solver/steady.hpp"
+
+namespace leonhard::solver {
+
+/// What both ways of marching share: the state, its residual, and the book of iterations.
+struct March {
+  March(const EulerProblem& problem, const SteadyOptions& options, ConvergenceMonitor& book,
+        std::stop_token stop);
+
+  const EulerProblem& problem;
+  const SteadyOptions& options;
+  ConvergenceMonitor& book;
+  std::stop_token stop;
+
+  EulerResidual operator_;
+  PerId<VertexId, State> state;
+  std::vector<double> residual;  ///< of state
+  double first_norm = 0, norm = 0;
+  double cfl = 0;
+  int linear_iterations = 0;  ///< since the last record
+  int rejected = 0;
+  std::optional<BadVertex> bad_vertex;
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+
+  /// Evaluate the residual of the start and take it down as iteration 0; diverged where it is not finite.
+  [[nodiscard]] std::optional<Verdict> start();
+  /// Take down the current state as iteration `number`.
+  [[nodiscard]] std::optional<Verdict> record(int number);
+};
+
+/// The conservative variables of every vertex, 4 a vertex, and back.
+void to_conserved(Gas gas, const PerId<VertexId, State>& state, std::vector<double>& conserved);
+/// returns  whether every state is physical
+[[nodiscard]] bool to_states(Gas gas, const std::vector<double>& conserved, PerId<VertexId, State>& state);
+
+/// Pseudo-transient continuation; see steady_implicit.cpp.
+[[nodiscard]] Verdict march_implicit(March& march);
+/// Multi-stage with local time steps; see steady_explicit.cpp.
+[[nodiscard]] Verdict march_explicit(March& march);
+
+}  // namespace leonhard::solver

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "leonhard/solver/march/march.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace leonhard::solver {
+namespace {
+
+// Three stages for second-order upwind differences: B. van Leer, C.-H. Tai and K. G. Powell, AIAA 89-1933, table 1.
+constexpr double stage_share[3] = {0.1918, 0.4929, 1.0};
+constexpr double default_cfl = 2.5;
+constexpr double least_cfl = 1e-3;
+
+/// One iteration from `before`; the last stage's state is left in march.state.
+/// returns  whether all stages were physical
+bool three_stages(March& march, const std::vector<double>& before, const std::vector<double>& speeds,
+                  std::vector<double>& now) {
+  now.resize(before.size());
+  for (int stage = 0; stage < 3; ++stage) {
+    if (stage > 0) march.operator_.evaluate(march.state, march.residual);
+    const double share = stage_share[stage] * march.cfl;
+    for (std::size_t v = 0; v < march.state.size(); ++v) {
+      const double step = share / speeds[v];
+      for (std::size_t i = 4 * v; i < 4 * v + 4; ++i) now[i] = before[i] - step * march.residual[i];
+    }
+    if (!to_states(march.problem.gas, now, march.state)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Verdict march_explicit(March& march) {
+  const SteadyOptions& options = march.options;
+  march.cfl = std::min(options.cfl_start.value_or(default_cfl), options.cfl_max.value_or(1e300));
+  std::vector<double> before, now, speeds;
+  to_conserved(march.problem.gas, march.state, before);
+  for (int number = 1;; ++number) {
+    march.operator_.wave_speed_sums(march.state, speeds);
+    while (!three_stages(march, before, speeds, now)) {
+      ++march.rejected;
+      march.bad_vertex = find_bad_vertex(march.problem, march.state, {});
+      march.cfl *= 0.5;
+      (void)to_states(march.problem.gas, before, march.state);
+      march.operator_.evaluate(march.state, march.residual);
+      if (march.cfl < least_cfl) return Verdict::diverged;
+      if (march.stop.stop_requested()) return Verdict::stopped;
+    }
+    march.operator_.evaluate(march.state, march.residual);
+    march.norm = residual_norm(march.residual, march.state.size());
+    before.swap(now);
+    if (!std::isfinite(march.norm)) {
+      march.bad_vertex = find_bad_vertex(march.problem, march.state, march.residual);
+      return Verdict::diverged;
+    }
+    if (const auto verdict = march.record(number)) return *verdict;
+  }
+}
+
+}  // namespace leonhard::solver

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "leonhard/mesh/triangle_mesh.hpp"
+#include "leonhard/solver/sweep/sweep.hpp"
+
+namespace leonhard::solver {
+
+/// Everything that the sweeps read of a mesh, as flat arrays in the order in which they are read.
+///
+/// Vertices are dealt out to the caller's parts, or to parts of about `vertices_per_part` by recursive coordinate
+/// bisection, a number that depends on the mesh alone. A part lists every edge that touches one of its vertices, so an edge between two parts is
+/// listed, and its flux computed, twice; each part adds to its own vertices only. The sums of a vertex are therefore
+/// taken in one order whatever the parts and the number of threads: the same bits.
+struct EdgePlan {
+  static constexpr std::size_t vertices_per_part = 2048;
+
+  std::size_t vertex_count{};
+  std::vector<double> area;           ///< of each control volume
+  std::vector<std::uint32_t> offset;  ///< neighbours of v: offset[v] ... offset[v + 1] - 1, ascending
+  std::vector<std::uint32_t> neighbour;
+  std::vector<StencilSlot> slot;  ///< one a neighbour
+
+  std::vector<PartRange> parts;
+  std::vector<std::uint32_t> part_of;        ///< one a vertex
+  std::vector<std::uint32_t> part_vertices;  ///< of part 0, part 1, ...; ascending in each
+  std::vector<EdgeEnds> ends;                ///< padded to whole batches with edges of length 0
+  std::vector<EdgeMetric> metric;            ///< one a batch
+  std::vector<std::uint32_t> part_boundary;  ///< entries of mesh.boundary that touch the part
+
+  [[nodiscard]] SweepMesh view() const;
+  /// Vertices plus one line of rubbish a part, for what an edge would add to a vertex of another part.
+  [[nodiscard]] std::size_t padded_count() const { return vertex_count + rubbish_stride * parts.size(); }
+  /// Position of the diagonal block of row v, and of the block of a neighbour slot s of v, in a block matrix whose rows
+  /// hold the neighbours and v itself in ascending order.
+  [[nodiscard]] std::uint32_t diagonal_block(std::uint32_t v) const { return diagonal_[v]; }
+  [[nodiscard]] std::uint32_t neighbour_block(std::uint32_t v, std::uint32_t s) const {
+    return s + v + (neighbour[s] > v ? 1u : 0u);
+  }
+  /// The slot of a neighbour of v. Cost O(log degree).
+  [[nodiscard]] std::uint32_t slot_to(std::uint32_t v, std::uint32_t other) const;
+  [[nodiscard]] std::size_t block_count() const { return neighbour.size() + vertex_count; }
+
+  std::vector<std::uint32_t> diagonal_;
+};
+
+/// Gradients are least squares over the edge neighbours, each equation weighted by the inverse of the distance
+/// (Barth's notes 4.2; exact for linear functions); a vertex whose neighbours lie on one line gets the gradient along it.
+///
+/// part_of  one a vertex, each below `parts` (a part may be empty); an empty list: parts of the plan's own making
+/// throws  InputError where the mesh is not one (see mesh::build_edges)
+/// Cost O(vertices log parts).
+[[nodiscard]] EdgePlan make_edge_plan(const TriangleMesh& mesh, std::span<const std::uint32_t> part_of = {},
+                                      std::uint32_t parts = 0);
+
+}  // namespace leonhard::solver

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// The loops declared in sweep.hpp. Included once by each sweep_*.cpp, which sets LEONHARD_SWEEP_NAME and the
+// instruction set. Everything has internal linkage.
+
+#include "leonhard/solver/sweep/flux_roe.hpp"
+#include "leonhard/solver/sweep/limiter.hpp"
+#include "leonhard/solver/sweep/sweep.hpp"
+
+namespace leonhard::solver {
+namespace {
+
+/// Room and steps of the four variables about one vertex, one variable a lane.
+struct Stencil {
+  Lanes gradient_x, gradient_y;
+  Lanes room_up, room_down;  ///< greatest and least neighbour less own value: >= 0 and <= 0
+  Lanes step_up,
+      step_down;  ///< greatest and least change from the vertex to an edge's midpoint: >= 0 and <= 0
+};
+
+[[gnu::always_inline]] inline Stencil look_around(const SweepMesh& mesh, std::uint32_t v,
+                                                  const double* state) {
+  const Lanes zero = constant<Lanes>(0), own = load(state + 4 * std::size_t{v});
+  Stencil s{zero, zero, zero, zero, zero, zero};
+  const std::uint32_t first = mesh.offset[v], last = mesh.offset[v + 1];
+  for (std::uint32_t i = first; i < last; ++i) {
+    const Lanes difference = load(state + 4 * std::size_t{mesh.neighbour[i]}) - own;
+    s.gradient_x += mesh.slot[i].weight_x * difference;
+    s.gradient_y += mesh.slot[i].weight_y * difference;
+    s.room_up = larger<Lanes>(s.room_up, difference);
+    s.room_down = smaller<Lanes>(s.room_down, difference);
+  }
+  for (std::uint32_t i = first; i < last; ++i) {
+    const Lanes step = mesh.slot[i].half_x * s.gradient_x + mesh.slot[i].half_y * s.gradient_y;
+    s.step_up = larger<Lanes>(s.step_up, step);
+    s.step_down = smaller<Lanes>(s.step_down, step);
+  }
+  return s;
+}
+
+void limited_gradients(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
+                       const double* state, double* gradient) {
+  for (std::uint32_t k = part.vertex_begin; k < part.vertex_end; ++k) {
+    const std::uint32_t v = mesh.part_vertices[k];
+    const Stencil s = look_around(mesh, v, state);
+    Lanes share = constant<Lanes>(1);
+    if (settings.limiter == SweepLimiter::venkatakrishnan) {
+      const Lanes scale2 = constant<Lanes>(settings.limiter_scale2[v]);
+      share = smaller<Lanes>(limit_venkatakrishnan<Lanes>(s.room_up, s.step_up, scale2),
+                             limit_venkatakrishnan<Lanes>(s.room_down, s.step_down, scale2));
+    } else if (settings.limiter == SweepLimiter::barth_jespersen) {
+      share = smaller<Lanes>(limit_barth_jespersen<Lanes>(s.room_up, s.step_up),
+                             limit_barth_jespersen<Lanes>(s.room_down, s.step_down));
+    }
+    store(gradient + 8 * std::size_t{v}, share * s.gradient_x);
+    store(gradient + 8 * std::size_t{v} + 4, share * s.gradient_y);
+  }
+}
+
+/// The states of four vertices, one vertex a lane.
+[[gnu::always_inline]] inline Primitive<Lanes> gather(const double* state, const std::uint32_t (&v)[4]) {
+  Lanes r[4];
+  for (int i = 0; i < 4; ++i) r[i] = load(state + 4 * std::size_t{v[i]});
+  transpose(r[0], r[1], r[2], r[3]);
+  return {r[0], r[1], r[2], r[3]};
+}
+
+/// Likewise after `sign` times half an edge along the gradient. A state whose density or pressure would not be positive
+/// is left at the vertex's own.
+[[gnu::always_inline]] inline Primitive<Lanes> gather_linear(const double* state, const double* gradient,
+                                                             const EdgeMetric& m, double sign,
+                                                             const std::uint32_t (&v)[4]) {
+  Lanes r[4];
+  for (int i = 0; i < 4; ++i) {
+    const double* g = gradient + 8 * std::size_t{v[i]};
+    const Lanes own = load(state + 4 * std::size_t{v[i]});
+    r[i] = own + ((sign * m.half_x[i]) * load(g) + (sign * m.half_y[i]) * load(g + 4));
+    if (!(r[i][0] > 0) || !(r[i][3] > 0)) r[i] = own;
+  }
+  transpose(r[0], r[1], r[2], r[3]);
+  return {r[0], r[1], r[2], r[3]};
+}
+
+struct Batch {
+  std::uint32_t a[4], b[4];
+};
+
+[[gnu::always_inline]] inline Batch batch_of(const EdgeEnds* e) {
+  return {{e[0].a, e[1].a, e[2].a, e[3].a}, {e[0].b, e[1].b, e[2].b, e[3].b}};
+}
+
+template <bool linear>
+[[gnu::always_inline]] inline void flux_loop(const SweepMesh& mesh, const PartRange& part,
+                                             const SweepSettings& settings, const double* state,
+                                             const double* gradient, double* residual) {
+  const RoeConstants roe{settings.gamma, settings.entropy_fix};
+  for (std::uint32_t e = part.edge_begin; e < part.edge_end; e += 4) {
+    const EdgeEnds* ends = mesh.ends + e;
+    const EdgeMetric& m = mesh.metric[e / 4];
+    const Batch at = batch_of(ends);
+    Primitive<Lanes> a, b;
+    if constexpr (linear) {
+      a = gather_linear(state, gradient, m, 1.0, at.a);
+      b = gather_linear(state, gradient, m, -1.0, at.b);
+    } else {
+      a = gather(state, at.a);
+      b = gather(state, at.b);
+    }
+    Four<Lanes> f = flux_roe<Lanes>(roe, a, b, load(m.nx), load(m.ny));
+    const Lanes length = load(m.length);
+    for (Lanes& component : f.e) component *= length;
+    transpose(f.e[0], f.e[1], f.e[2], f.e[3]);
+    for (int i = 0; i < 4; ++i) {
+      double* into_a = residual + 4 * std::size_t{ends[i].into_a};
+      double* into_b = residual + 4 * std::size_t{ends[i].into_b};
+      store(into_a, load(into_a) + f.e[i]);
+      store(into_b, load(into_b) - f.e[i]);
+    }
+  }
+}
+
+void fluxes(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings, const double* state,
+            const double* gradient, double* residual) {
+  if (gradient)
+    flux_loop<true>(mesh, part, settings, state, gradient, residual);
+  else
+    flux_loop<false>(mesh, part, settings, state, nullptr, residual);
+}
+
+void wave_speeds(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
+                 const double* state, double* sum) {
+  for (std::uint32_t e = part.edge_begin; e < part.edge_end; e += 4) {
+    const EdgeEnds* ends = mesh.ends + e;
+    const EdgeMetric& m = mesh.metric[e / 4];
+    const Batch at = batch_of(ends);
+    const Primitive<Lanes> a = gather(state, at.a), b = gather(state, at.b);
+    const Lanes vn = 0.5 * ((a.u + b.u) * load(m.nx) + (a.v + b.v) * load(m.ny));
+    const Lanes c = root(Lanes(settings.gamma * (a.p + b.p) / (a.rho + b.rho)));
+    const Lanes speed = (magnitude<Lanes>(vn) + c) * load(m.length);
+    for (int i = 0; i < 4; ++i) {
+      sum[ends[i].into_a] += speed[i];
+      sum[ends[i].into_b] += speed[i];
+    }
+  }
+}
+
+/// Four edges' blocks, one edge a lane, to one block an edge, column by column.
+[[gnu::always_inline]] inline void columns_by_edge(const Block<Lanes>& block, const Lanes& length,
+                                                   Lanes (&out)[4][4]) {
+  for (int j = 0; j < 4; ++j) {
+    Lanes r[4];
+    for (int i = 0; i < 4; ++i) r[i] = block.m[i][j] * length;
+    transpose(r[0], r[1], r[2], r[3]);
+    for (int edge = 0; edge < 4; ++edge) out[edge][j] = r[edge];
+  }
+}
+
+void jacobian(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
+              const double* state, double* blocks) {
+  const RoeConstants roe{settings.gamma, settings.entropy_fix};
+  for (std::uint32_t e = part.edge_begin; e < part.edge_end; e += 4) {
+    const EdgeEnds* ends = mesh.ends + e;
+    const EdgeMetric& m = mesh.metric[e / 4];
+    const Batch at = batch_of(ends);
+    Block<Lanes> by_a, by_b;
+    flux_roe_jacobians<Lanes>(roe, gather(state, at.a), gather(state, at.b), load(m.nx), load(m.ny), by_a,
+                              by_b);
+    Lanes edge_a[4][4], edge_b[4][4];
+    columns_by_edge(by_a, load(m.length), edge_a);
+    columns_by_edge(by_b, load(m.length), edge_b);
+    for (int i = 0; i < 4; ++i) {
+      double* aa = blocks + 16 * std::size_t{ends[i].block_aa};
+      double* ab = blocks + 16 * std::size_t{ends[i].block_ab};
+      double* bb = blocks + 16 * std::size_t{ends[i].block_bb};
+      double* ba = blocks + 16 * std::size_t{ends[i].block_ba};
+      for (int j = 0; j < 4; ++j) {
+        store(aa + 4 * j, load(aa + 4 * j) + edge_a[i][j]);
+        store(ab + 4 * j, edge_b[i][j]);
+        store(bb + 4 * j, load(bb + 4 * j) - edge_b[i][j]);
+        store(ba + 4 * j, -edge_a[i][j]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+const SweepKernels LEONHARD_SWEEP_NAME = {LEONHARD_SWEEP_LABEL, limited_gradients, fluxes, wave_speeds,
+                                          jacobian};
+
+}  // namespace leonhard::solver
