@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "leonhard/app/report/json.hpp"
+#include "leonhard/delaunay/refine.hpp"
+#include "leonhard/mesh/euler.hpp"
+#include "leonhard/mesh/quality.hpp"
+
+namespace leonhard::app {
+
+/// Euler's account with both sides of each formula.
+[[nodiscard]] Json to_json(const EulerAccount& account);
+[[nodiscard]] Json to_json(const EulerAccount::Formula& formula);
+[[nodiscard]] Json to_json(const MeshQuality& quality);
+[[nodiscard]] Json to_json(const delaunay::RefineReport& report);
+
+/// "achieved", "small_angles_left", "vertex_budget_spent" or "stopped".
+[[nodiscard]] std::string_view word(delaunay::RefineOutcome outcome);
+
+}  // namespace leonhard::app
