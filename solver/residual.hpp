@@ -16,7 +16,7 @@ struct SpatialOptions {
   double venkatakrishnan_k = 1;  ///< epsilon^2 = (k h / length)^3, h^2 the control volume
   double entropy_fix = 0.05;
   int threads = 1;
-  std::vector<std::uint32_t> part_of;  ///< one a vertex, below parts; empty: see EdgePlan
+  std::vector<std::uint32_t> part_of{};  ///< one a vertex, below parts; empty: see EdgePlan
   std::uint32_t parts = 0;
 };
 
