@@ -19,17 +19,17 @@ struct Reference {
 /// The Euler equations about something. Holds a reference to the mesh, which must outlive it.
 struct EulerProblem {
   const TriangleMesh& mesh;
-  Gas gas;
-  FreeStream free_stream;
-  std::map<Marker, BoundaryKind> boundary;  ///< one entry for each marker on mesh.boundary, no other
-  Reference reference;
+  Gas gas{};
+  FreeStream free_stream{};
+  std::map<Marker, BoundaryKind> boundary{};  ///< one entry for each marker on mesh.boundary, no other
+  Reference reference{};
   /// Far-field states are those of a compressible point vortex whose circulation is that of the current lift
   /// (Thomas and Salas, AIAA Journal 24(7), 1986); ignored where the free stream is supersonic.
   bool vortex_correction = true;
   Point2 vortex_centre{0.25, 0};
   /// When set, replaces the free stream on far_field and supersonic_inflow (exact solutions, inflow
   /// profiles).
-  std::function<State(Point2)> outer_state;
+  std::function<State(Point2)> outer_state{};
 };
 
 namespace solver {

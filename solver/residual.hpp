@@ -17,7 +17,7 @@ struct SpatialOptions {
   double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double entropy_fix = 0.05;
   int threads = 1;
-  std::vector<std::uint32_t> part_of;  ///< one a vertex, below parts; empty: see EdgePlan
+  std::vector<std::uint32_t> part_of{};  ///< one a vertex, below parts; empty: see EdgePlan
   std::uint32_t parts = 0;
 };
 
