@@ -20,7 +20,21 @@ enum class BoundaryKind {
 };
 
 /// The word used in case files and reports, e.g. "slip_wall".
-[[nodiscard]] std::string_view to_string(BoundaryKind kind);
+[[nodiscard]] constexpr std::string_view to_string(BoundaryKind kind) {
+  switch (kind) {
+    case BoundaryKind::slip_wall:
+      return "slip_wall";
+    case BoundaryKind::far_field:
+      return "far_field";
+    case BoundaryKind::supersonic_inflow:
+      return "supersonic_inflow";
+    case BoundaryKind::supersonic_outflow:
+      return "supersonic_outflow";
+    case BoundaryKind::symmetry:
+      return "symmetry";
+  }
+  return "";
+}
 
 /// What coefficients refer to: length is also the reference area per unit span.
 struct Reference {
