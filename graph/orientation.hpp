@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
@@ -33,6 +34,17 @@ enum class OrientationOutcome {
   three_bounded,  ///< no vertex has more than three outgoing edges
   not_planar      ///< the graph is not planar and the method found no way: by least degree instead
 };
+
+/// The word for it, e.g. "three_bounded".
+[[nodiscard]] constexpr std::string_view to_string(OrientationOutcome outcome) {
+  switch (outcome) {
+    case OrientationOutcome::three_bounded:
+      return "three_bounded";
+    case OrientationOutcome::not_planar:
+      return "not_planar";
+  }
+  return "";
+}
 
 struct [[nodiscard]] PlanarOrientation {
   OrientationOutcome outcome{};

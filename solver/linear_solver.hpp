@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 namespace leonhard {
@@ -28,6 +29,21 @@ class PetscSession {
 namespace solver {
 
 enum class LinearOutcome { reached, iteration_limit, breakdown, stopped };
+
+/// The word for it, e.g. "reached".
+[[nodiscard]] constexpr std::string_view to_string(LinearOutcome outcome) {
+  switch (outcome) {
+    case LinearOutcome::reached:
+      return "reached";
+    case LinearOutcome::iteration_limit:
+      return "iteration_limit";
+    case LinearOutcome::breakdown:
+      return "breakdown";
+    case LinearOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
 
 struct LinearReport {
   LinearOutcome outcome{};

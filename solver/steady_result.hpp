@@ -32,7 +32,23 @@ enum class Verdict {
 };
 
 /// The word used in reports, e.g. "iteration_limit".
-[[nodiscard]] std::string_view to_string(Verdict verdict);
+[[nodiscard]] constexpr std::string_view to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::converged:
+      return "converged";
+    case Verdict::settled:
+      return "settled";
+    case Verdict::stalled:
+      return "stalled";
+    case Verdict::diverged:
+      return "diverged";
+    case Verdict::iteration_limit:
+      return "iteration_limit";
+    case Verdict::stopped:
+      return "stopped";
+  }
+  return "";
+}
 
 /// Where a run broke down.
 struct BadVertex {

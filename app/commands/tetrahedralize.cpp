@@ -155,7 +155,7 @@ ExitCode tetrahedralize(const TetrahedralizeCommand& command) {
   const bool done = result.outcome == delaunay::TetrahedralizeOutcome::done;
   const std::size_t distinct = done ? result.mesh.vertex_count() : count_distinct(points);
   Json report = {
-      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
+      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
   report.update(points3_account(points, distinct));
   report["expected_memory_bytes"] = expected;
   std::string words = why_no_tetrahedra(result.outcome, distinct);

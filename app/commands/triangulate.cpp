@@ -94,7 +94,7 @@ ExitCode triangulate(const TriangulateCommand& command) {
   for (const std::string& warning : input.warnings) console.warning(warning);
 
   Json report = {
-      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
+      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
   const Json account = points_account(input.pslg.points);
   report.update(account);
   const std::string words = why_no_triangles(

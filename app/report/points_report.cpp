@@ -16,20 +16,6 @@ namespace leonhard::app {
 
 using delaunay::TriangulateOutcome;
 
-std::string word(TriangulateOutcome outcome) {
-  switch (outcome) {
-    case TriangulateOutcome::done:
-      return "done";
-    case TriangulateOutcome::too_few_points:
-      return "too_few_points";
-    case TriangulateOutcome::all_collinear:
-      return "all_collinear";
-    case TriangulateOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
-}
-
 std::string why_no_triangles(TriangulateOutcome outcome, std::size_t distinct_points) {
   switch (outcome) {
     case TriangulateOutcome::done:
@@ -67,7 +53,7 @@ Json points_report(std::span<const Point2> points, const delaunay::AlgorithmOpti
   triangulate.progress = options.progress;
   const auto result = delaunay::triangulate(std::vector<Point2>(points.begin(), points.end()), triangulate);
   const bool done = result.outcome == TriangulateOutcome::done;
-  report["outcome"] = word(result.outcome);
+  report["outcome"] = to_string(result.outcome);
   // One point or two lie on a line as well.
   report["collinear"] = !done && result.outcome != TriangulateOutcome::stopped;
   report["triangles"] = result.mesh.triangle_count();
