@@ -116,7 +116,7 @@ std::string text_of(const CommunicateCommand& command, const AnyGraph& input, co
   text +=
       fmt::format("{:<12}{} {}; {} cut edges, imbalance {:.4f}\n", "parts", grouped(answer.partition.parts),
                   command.parts_file.empty()
-                      ? fmt::format("by {}: {}", command.request.method, word(answer.partition.outcome))
+                      ? fmt::format("by {}: {}", command.request.method, to_string(answer.partition.outcome))
                       : "from " + command.parts_file,
                   grouped(cost.cut), cost.imbalance);
   text += parts_text(cost, answer.communication, of);

@@ -62,7 +62,7 @@ ExitCode mesh(const MeshOptions& options) {
     json["peak_memory_bytes"] = peak_memory_bytes();
     fmt::print("{}\n", json.text());
   } else {
-    fmt::print("{}{:<14}{}, {} points inserted\n", text_of(report), "refinement", word(meshed.report.outcome),
+    fmt::print("{}{:<14}{}, {} points inserted\n", text_of(report), "refinement", to_string(meshed.report.outcome),
                grouped(meshed.report.inserted));
   }
   switch (meshed.report.outcome) {

@@ -105,7 +105,7 @@ Json table_json(const std::vector<Ordered>& table) {
                     {"nonzeros", line.fill.nonzeros},
                     {"flops", line.fill.flops},
                     {"seconds", line.seconds},
-                    {"outcome", line.result.outcome == graph::OrderOutcome::done ? "done" : "stopped"}});
+                    {"outcome", to_string(line.result.outcome)}});
   return list;
 }
 

@@ -118,7 +118,7 @@ std::string text_of(const TetrahedralizeCommand& command, const Answer& answer) 
   };
   line("points",
        grouped(answer.account.points) + ", " + grouped(answer.account.duplicates) + " duplicates merged");
-  line("outcome", word(answer.outcome));
+  line("outcome", std::string(to_string(answer.outcome)));
   if (!answer.mesh) return text;
   line("hull faces", grouped(answer.hull_faces));
   if (!command.no_check) return text + text_of(*answer.mesh);
@@ -129,7 +129,7 @@ std::string text_of(const TetrahedralizeCommand& command, const Answer& answer) 
 }
 
 Json json_of(const TetrahedralizeCommand& command, const Answer& answer) {
-  Json json{{"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(answer.outcome)}};
+  Json json{{"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(answer.outcome)}};
   json.update(to_json(answer.account));
   json["expected_memory_bytes"] = answer.expected_bytes;
   json["words"] = answer.words.empty() ? Json() : Json(answer.words);

@@ -95,7 +95,7 @@ ExitCode triangulate(const TriangulateCommand& command) {
     timer.lap("write");
   }
   if (command.common.json) {
-    Json json{{"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
+    Json json{{"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
     json.update(to_json(account));
     json["words"] = words.empty() ? Json() : Json(words);
     if (report) {

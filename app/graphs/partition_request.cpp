@@ -117,20 +117,4 @@ graph::PartitionCost Partitioner::cost_of(const graph::Partition& partition) con
   return graph::partition_cost(input_.graph, partition, vertex_weights_, edge_weights_);
 }
 
-const char* word(PartitionOutcome outcome) {
-  switch (outcome) {
-    case PartitionOutcome::done:
-      return "done";
-    case PartitionOutcome::empty_parts:
-      return "empty_parts";
-    case PartitionOutcome::stopped:
-      return "stopped";
-    case PartitionOutcome::unbalanced:
-      return "unbalanced";
-    case PartitionOutcome::disconnected:
-      return "disconnected";
-  }
-  return "";
-}
-
 }  // namespace leonhard::app

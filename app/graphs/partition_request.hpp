@@ -48,7 +48,4 @@ class Partitioner {
   graph::PartitionOptions options_;
 };
 
-/// "done", "empty_parts", ...
-[[nodiscard]] const char* word(graph::PartitionOutcome outcome);
-
 }  // namespace leonhard::app

@@ -200,7 +200,7 @@ std::string mesh_section(const SolveRun& run) {
          row({"largest aspect ratio", shown(quality.max_aspect_ratio, 2)}) +
          row({"largest size growth", shown(quality.max_size_growth, 2)});
   if (run.refinement) {
-    out += row({"refinement", escaped(word(run.refinement->outcome))}) +
+    out += row({"refinement", escaped(to_string(run.refinement->outcome))}) +
            row({"points inserted", shown(run.refinement->inserted)}) +
            row({"segment splits", shown(run.refinement->segment_splits)});
   }
@@ -218,7 +218,7 @@ std::string graph_section(const SolveRun& run) {
                 shown(numbering.fill)});
   }
   const graph::PartitionCost& cost = run.partition_cost;
-  out += "</table>\n<table>\n" + row({"partition", escaped(graph::name_of(run.the_case.partitioning))}) +
+  out += "</table>\n<table>\n" + row({"partition", escaped(to_string(run.the_case.partitioning))}) +
          row({"parts", shown(run.triangle_parts.parts)}) + row({"edges cut", shown(cost.cut)}) +
          row({"imbalance", shown(cost.imbalance, 4)}) +
          row({"triangles in a part", shown(cost.smallest) + " to " + shown(cost.largest)}) +

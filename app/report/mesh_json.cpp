@@ -38,7 +38,7 @@ Json to_json(const MeshQuality& quality) {
 }
 
 Json to_json(const delaunay::RefineReport& report) {
-  return {{"outcome", word(report.outcome)},
+  return {{"outcome", to_string(report.outcome)},
           {"inserted", report.inserted},
           {"segment_splits", report.segment_splits},
           {"rounded_splits", report.rounded_splits},
@@ -47,20 +47,6 @@ Json to_json(const delaunay::RefineReport& report) {
           {"excused_small_input_angle", report.excused_small_input_angle},
           {"excused_min_edge", report.excused_min_edge},
           {"excused_rounding", report.excused_rounding}};
-}
-
-std::string_view word(delaunay::RefineOutcome outcome) {
-  switch (outcome) {
-    case delaunay::RefineOutcome::achieved:
-      return "achieved";
-    case delaunay::RefineOutcome::small_angles_left:
-      return "small_angles_left";
-    case delaunay::RefineOutcome::vertex_budget_spent:
-      return "vertex_budget_spent";
-    case delaunay::RefineOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
 }
 
 }  // namespace leonhard::app

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
-
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/delaunay/refine.hpp"
 #include "leonhard/mesh/euler.hpp"
@@ -15,8 +13,5 @@ namespace leonhard::app {
 [[nodiscard]] Json to_json(const EulerAccount::Formula& formula);
 [[nodiscard]] Json to_json(const MeshQuality& quality);
 [[nodiscard]] Json to_json(const delaunay::RefineReport& report);
-
-/// "achieved", "small_angles_left", "vertex_budget_spent" or "stopped".
-[[nodiscard]] std::string_view word(delaunay::RefineOutcome outcome);
 
 }  // namespace leonhard::app

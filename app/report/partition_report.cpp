@@ -12,7 +12,7 @@ Json partition_report(const graph::Partition& partition, const graph::PartitionC
   return {{"method", request.method},
           {"effort", request.effort},
           {"parts", partition.parts},
-          {"outcome", word(partition.outcome)},
+          {"outcome", to_string(partition.outcome)},
           {"cut", cost.cut},
           {"cut_weight", cost.cut_weight},
           {"imbalance", cost.imbalance},
@@ -33,7 +33,7 @@ Json partition_report(const graph::Partition& partition, const graph::PartitionC
 std::string partition_report_text(const graph::Partition& partition, const graph::PartitionCost& cost,
                                   const PartitionRequest& request, std::string_view of) {
   std::string text = fmt::format("{:<12}{} by {}: {}\n", "parts", grouped(partition.parts), request.method,
-                                 word(partition.outcome));
+                                 to_string(partition.outcome));
   text += fmt::format("{:<12}{} edges, weight {}\n", "cut", grouped(cost.cut), grouped(cost.cut_weight));
   text += fmt::format("{:<12}{} to {} {}, imbalance {:.4f} (allowed {:g})\n", "balance",
                       grouped(cost.smallest), grouped(cost.largest), of, cost.imbalance, request.imbalance);

@@ -15,22 +15,6 @@ namespace leonhard::app {
 
 using delaunay::TetrahedralizeOutcome;
 
-std::string word(TetrahedralizeOutcome outcome) {
-  switch (outcome) {
-    case TetrahedralizeOutcome::done:
-      return "done";
-    case TetrahedralizeOutcome::too_few_points:
-      return "too_few_points";
-    case TetrahedralizeOutcome::all_collinear:
-      return "all_collinear";
-    case TetrahedralizeOutcome::all_coplanar:
-      return "all_coplanar";
-    case TetrahedralizeOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
-}
-
 std::string why_no_tetrahedra(TetrahedralizeOutcome outcome, std::size_t distinct_points) {
   switch (outcome) {
     case TetrahedralizeOutcome::done:
@@ -97,7 +81,7 @@ Points3Report points3_report(std::span<const Point3> points, const delaunay::Tet
 
 Json to_json(const Points3Report& report) {
   Json json = to_json(report.account);
-  json["outcome"] = word(report.outcome);
+  json["outcome"] = to_string(report.outcome);
   json["tetrahedra"] = report.tetrahedra;
   json["hull_faces"] = nullptr;
   json["hull_points"] = nullptr;
@@ -119,7 +103,7 @@ std::string text_of(const Points3Report& report) {
   line("points", grouped(report.account.points));
   line("duplicates", grouped(report.account.duplicates));
   line("box", place(report.account.low) + " to " + place(report.account.high));
-  line("outcome", word(report.outcome));
+  line("outcome", std::string(to_string(report.outcome)));
   line("tetrahedra", grouped(report.tetrahedra));
   if (report.hull)
     line("hull", grouped(report.hull->faces) + " faces, " + grouped(report.hull->points) + " points");

@@ -9,26 +9,11 @@
 #include <vector>
 
 #include "leonhard/app/console.hpp"
-#include "leonhard/delaunay/order/sorted_points.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
 
 namespace leonhard::app {
 
 using delaunay::TriangulateOutcome;
-
-std::string word(TriangulateOutcome outcome) {
-  switch (outcome) {
-    case TriangulateOutcome::done:
-      return "done";
-    case TriangulateOutcome::too_few_points:
-      return "too_few_points";
-    case TriangulateOutcome::all_collinear:
-      return "all_collinear";
-    case TriangulateOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
-}
 
 std::string why_no_triangles(TriangulateOutcome outcome, std::size_t distinct_points) {
   switch (outcome) {
@@ -46,11 +31,21 @@ std::string why_no_triangles(TriangulateOutcome outcome, std::size_t distinct_po
   return "";
 }
 
+namespace {
+
+std::size_t count_distinct(std::span<const Point2> points) {
+  std::vector<Point2> sorted(points.begin(), points.end());
+  std::sort(sorted.begin(), sorted.end());
+  return static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+}
+
+}  // namespace
+
 PointsAccount points_account(std::span<const Point2> points) {
   PointsAccount account;
   if (points.empty()) return account;
   account.points = points.size();
-  account.duplicates = points.size() - delaunay::sort_and_merge(points).points.size();
+  account.duplicates = points.size() - count_distinct(points);
   account.low = account.high = points.front();
   for (const Point2 p : points) {
     account.low = {std::min(account.low.x, p.x), std::min(account.low.y, p.y)};
@@ -83,7 +78,7 @@ PointsReport points_report(std::span<const Point2> points, const delaunay::Algor
 
 Json to_json(const PointsReport& report) {
   Json json = to_json(report.account);
-  json["outcome"] = word(report.outcome);
+  json["outcome"] = to_string(report.outcome);
   json["collinear"] = report.is_collinear();
   json["triangles"] = report.triangles;
   json["hull_points"] = nullptr;

@@ -14,7 +14,7 @@ namespace leonhard::app {
 
 namespace {
 
-Json to_json(const AreaAccount& area) {
+Json area_json(const AreaAccount& area) {
   return {
       {"mesh", area.mesh}, {"polygon", area.polygon}, {"equal", area.equal}, {"difference", area.difference}};
 }
@@ -33,7 +33,7 @@ Json ordering_json(const SolveRun& run) {
 
 Json partition_json(const SolveRun& run) {
   const graph::PartitionCost& cost = run.partition_cost;
-  return {{"method", graph::name_of(run.the_case.partitioning)},
+  return {{"method", to_string(run.the_case.partitioning)},
           {"parts", run.triangle_parts.parts},
           {"cut", cost.cut},
           {"imbalance", cost.imbalance},
@@ -106,7 +106,7 @@ Json to_json(const SolveReport& report_of) {
   report["mesh"] = mesh_json(run);
   if (run.refinement) report["refinement"] = to_json(*run.refinement);
   report["euler"] = to_json(run.euler);
-  if (run.area) report["area"] = to_json(*run.area);
+  if (run.area) report["area"] = area_json(*run.area);
   report["ordering"] = ordering_json(run);
   report["partition"] = partition_json(run);
   Json seconds = Json::object();
