@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <string_view>
 
 #include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/plane/swap_criterion.hpp"
@@ -20,6 +21,19 @@ enum class SwapOutcome {
   swap_limit,  ///< as many swaps as were allowed have been made: a valid triangulation, not yet a settled one
   stopped,     ///< a stop was requested: likewise
 };
+
+/// The word for it, e.g. "settled".
+[[nodiscard]] constexpr std::string_view to_string(SwapOutcome outcome) {
+  switch (outcome) {
+    case SwapOutcome::settled:
+      return "settled";
+    case SwapOutcome::swap_limit:
+      return "swap_limit";
+    case SwapOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
 
 struct [[nodiscard]] SwapReport {
   SwapOutcome outcome = SwapOutcome::settled;

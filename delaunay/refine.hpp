@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/kernel/progress.hpp"
@@ -35,6 +36,21 @@ enum class RefineOutcome {
   vertex_budget_spent,  ///< max_vertices reached; the mesh is valid, some bounds unmet
   stopped,  ///< a stop was requested; the mesh is valid, some bounds unmet (empty if it came too early)
 };
+
+/// The word for it, e.g. "achieved".
+[[nodiscard]] constexpr std::string_view to_string(RefineOutcome outcome) {
+  switch (outcome) {
+    case RefineOutcome::achieved:
+      return "achieved";
+    case RefineOutcome::small_angles_left:
+      return "small_angles_left";
+    case RefineOutcome::vertex_budget_spent:
+      return "vertex_budget_spent";
+    case RefineOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
 
 struct [[nodiscard]] RefineReport {
   RefineOutcome outcome = RefineOutcome::achieved;

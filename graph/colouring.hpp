@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
@@ -41,6 +42,19 @@ enum class EdgeColourCount {
   delta_plus_one,  ///< one more; where `certain`, no colouring has fewer
   stopped          ///< a stop was requested: the colours of colour_edges_greedily
 };
+
+/// The word for it, e.g. "delta".
+[[nodiscard]] constexpr std::string_view to_string(EdgeColourCount count) {
+  switch (count) {
+    case EdgeColourCount::delta:
+      return "delta";
+    case EdgeColourCount::delta_plus_one:
+      return "delta_plus_one";
+    case EdgeColourCount::stopped:
+      return "stopped";
+  }
+  return "";
+}
 
 struct [[nodiscard]] EdgeColouring : Colouring {
   EdgeColourCount count{};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
@@ -15,6 +16,19 @@ enum class FiedlerMethod {
 };
 
 enum class FiedlerOutcome { converged, iteration_limit, stopped };
+
+/// The word for it, e.g. "converged".
+[[nodiscard]] constexpr std::string_view to_string(FiedlerOutcome outcome) {
+  switch (outcome) {
+    case FiedlerOutcome::converged:
+      return "converged";
+    case FiedlerOutcome::iteration_limit:
+      return "iteration_limit";
+    case FiedlerOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
 
 struct FiedlerOptions {
   FiedlerMethod method = FiedlerMethod::multilevel;

@@ -47,6 +47,12 @@ inline constexpr std::array named_order_methods{
     NamedOrderMethod{"nested-dissection", OrderMethod::nested_dissection},
     NamedOrderMethod{"hilbert", OrderMethod::hilbert},
 };
+[[nodiscard]] constexpr std::string_view to_string(OrderMethod method) {
+  for (const auto& known : named_order_methods) {
+    if (known.method == method) return known.name;
+  }
+  return "";
+}
 [[nodiscard]] std::optional<OrderMethod> order_method_named(std::string_view name);
 
 struct OrderOptions {

@@ -13,9 +13,10 @@
 #include <string>
 #include <tuple>
 
-#include "leonhard/kernel/arithmetic/double_double.hpp"
+#include "leonhard/kernel/double_double.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/kernel/stages/finite.hpp"
 
 namespace leonhard::kernel {
 namespace {
@@ -36,7 +37,7 @@ struct Bounded {
   double size;
 
   [[nodiscard]] double error() const { return 48 * u * u * size; }
-  [[nodiscard]] FilteredSign sign() const { return detail::sign_if_beyond(value.high, error()); }
+  [[nodiscard]] FilteredSign sign() const { return sign_if_beyond(value.high, error()); }
 };
 
 Bounded operator+(const Bounded& a, const Bounded& b) { return {a.value + b.value, a.size + b.size}; }
@@ -234,6 +235,7 @@ template <class Formula, class Point, class... Points>
 RoundedBall<Point> construct(const char* what, const Formula& formula, const Point& a, const Points&... others) {
   if (are_moderate(a, others...))
     if (const auto ball = rounded(a, formula(vector<Bounded>(a, others)...))) return *ball;
+  detail::require_finite(what, a, others...);
   const auto offset = formula(vector<mpq_class>(a, others)...);
   if (offset.denominator == 0)
     throw InputError(

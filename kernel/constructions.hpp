@@ -16,7 +16,7 @@
 /// rounded.
 ///
 /// Throws InputError, naming the points, where there is no such circle because they are collinear (coplanar,
-/// for a sphere), and where the centre or the radius exceeds the largest double.
+/// for a sphere), where a coordinate is NaN or infinite, and where the centre or the radius exceeds the largest double.
 namespace leonhard::kernel {
 
 /// A circle or sphere; a circle in space has the plane of its triangle.

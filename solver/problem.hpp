@@ -3,24 +3,12 @@
 
 #include <functional>
 #include <map>
-#include <string_view>
 
 #include "leonhard/mesh/triangle_mesh.hpp"
 #include "leonhard/solver/gas.hpp"
+#include "leonhard/solver/kinds.hpp"
 
 namespace leonhard {
-
-/// What happens at a part of the boundary.
-enum class BoundaryKind {
-  slip_wall,           ///< no flow through it; forces are summed over it
-  far_field,           ///< Roe flux against the free stream: in and out by characteristics
-  supersonic_inflow,   ///< everything is prescribed
-  supersonic_outflow,  ///< everything is taken from inside
-  symmetry,            ///< as a slip wall, without forces
-};
-
-/// The word used in case files and reports, e.g. "slip_wall".
-[[nodiscard]] std::string_view to_string(BoundaryKind kind);
 
 /// What coefficients refer to: length is also the reference area per unit span.
 struct Reference {
