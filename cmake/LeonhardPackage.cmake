@@ -12,13 +12,14 @@ if(LEONHARD_APP)
       DEPENDS leonhard_program cmake/manual.sh WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM
       COMMENT "Making the manual from the program's help")
     add_custom_target(leonhard_manual ALL DEPENDS ${manual}/man1/leonhard.1)
-    install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
-    install(FILES ${manual}/bash/leonhard DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+    # Optional: who built the program alone (./leonhard) can install it, without them.
+    install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program OPTIONAL)
+    install(FILES ${manual}/bash/leonhard DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program OPTIONAL)
     set(zsh_folder site-functions)
     if(CMAKE_INSTALL_PREFIX STREQUAL /usr)  # Debian's own
       set(zsh_folder vendor-completions)
     endif()
-    install(FILES ${manual}/zsh/_leonhard DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${zsh_folder} COMPONENT program)
+    install(FILES ${manual}/zsh/_leonhard DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${zsh_folder} COMPONENT program OPTIONAL)
   endif()
   install(DIRECTORY examples/naca0012 examples/rae2822 examples/highlift examples/wedge examples/ball
     DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT program)
