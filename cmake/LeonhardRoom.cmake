@@ -86,7 +86,8 @@ function(leonhard_room name)
   add_library(leonhard::${name} ALIAS leonhard_${name})
   leonhard_flags(leonhard_${name})
   target_include_directories(leonhard_${name} PUBLIC $<BUILD_INTERFACE:${LEONHARD_BUILD_INCLUDE}>)
-  set_target_properties(leonhard_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+  # Static and shared libraries are made of the same objects.
+  set_target_properties(leonhard_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL ""
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)
   if(NOT PROJECT_IS_TOP_LEVEL AND NOT LEONHARD_INSTALL)  # another project builds what it links
     set_target_properties(leonhard_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
