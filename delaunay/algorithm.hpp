@@ -73,7 +73,7 @@ struct AlgorithmOptions {
   std::uint64_t seed =
       1;  ///< of the algorithms that draw an order at random; the triangles do not depend on it
   unsigned threads = 1;  ///< 0: as many as there are cores; only some algorithms use more than one
-  Progress progress;
+  Progress progress{};
 };
 
 /// Triangles of a point set as a triangulation of the sphere; corner ids are indices of the points. Empty

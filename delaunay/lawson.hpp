@@ -42,9 +42,9 @@ struct [[nodiscard]] SwapReport {
 
 struct SwapOptions {
   std::size_t max_swaps = std::numeric_limits<std::size_t>::max();
-  Progress progress;  ///< every 4096 edges; fraction: edges looked at, of these and the suspects left
+  Progress progress{};  ///< every 4096 edges; fraction: edges looked at, of these and the suspects left
   /// Edges that may not be swapped, by one of their sides. Empty: none.
-  std::function<bool(const GhostTriangulation&, SideId)> is_fixed;
+  std::function<bool(const GhostTriangulation&, SideId)> is_fixed{};
 };
 
 /// Swap edges of any triangulation until the criterion is content.

@@ -20,13 +20,13 @@ struct RefineOptions {
   double min_angle_deg = 25;
   /// Target edge length at a point, positive and finite; may be empty. The mean edge length comes out close
   /// to it.
-  std::function<double(Point2)> size;
+  std::function<double(Point2)> size{};
   double max_area = -1;                   ///< no triangle larger than this; not positive: no bound
   std::size_t max_vertices = 10'000'000;  ///< stop adding vertices here
   double min_edge = 0;                    ///< add no vertex closer than this to another one
   /// Keep the convex hull although no segment bounds it (its edges then act as segments).
   bool keep_convex_hull = false;
-  Progress progress;
+  Progress progress{};
 };
 
 enum class RefineOutcome {

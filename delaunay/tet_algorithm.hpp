@@ -65,7 +65,7 @@ inline constexpr std::array named_tet_algorithms{
 struct TetAlgorithmOptions {
   std::uint64_t seed = 1;  ///< of the random part of the insertion order; the tetrahedra do not depend on it
   unsigned threads = 1;    ///< 0: as many as there are cores; only some algorithms use more than one
-  Progress progress;
+  Progress progress{};
 };
 
 /// Tetrahedra of a point set as a tetrahedralisation of the 3-sphere; corner ids are indices of the points. Empty

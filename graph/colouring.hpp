@@ -64,7 +64,7 @@ struct [[nodiscard]] EdgeColouring : Colouring {
 struct EdgeColouringOptions {
   std::uint32_t rounds = 5;  ///< attempts at Delta colours before one more is taken
   std::uint64_t seed = 1;
-  Progress progress;  ///< stage "edge colouring"
+  Progress progress{};  ///< stage "edge colouring"
 };
 
 /// Colours of edges such that no two edges of a colour share a vertex: Delta, the largest degree, if the graph is

@@ -35,7 +35,7 @@ struct FiedlerOptions {
   double tolerance = 1e-6;             ///< converged when residual <= tolerance * value
   std::uint32_t max_iterations = 600;  ///< products with the Laplacian
   std::uint64_t seed = 1;              ///< of the random start vectors
-  std::stop_token stop;
+  std::stop_token stop{};
 };
 
 /// The second smallest eigenpair of a graph's Laplacian D - A.

@@ -17,15 +17,12 @@ namespace leonhard::graph {
 
 /// A graph's edges, each listed once, at its tail.
 struct Orientation {
-  std::vector<std::uint32_t> start{0};  ///< heads of v are heads[start[v]] .. heads[start[v + 1] - 1]
-  std::vector<std::uint32_t> heads;     ///< ascending within each list
+  CompressedRows<std::uint32_t> heads;  ///< row v: the heads of the edges that leave v, ascending
 
-  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(start.size() - 1); }
-  [[nodiscard]] std::span<const std::uint32_t> heads_of(std::uint32_t v) const {
-    return std::span(heads).subspan(start[v], start[v + std::size_t{1}] - start[v]);
-  }
+  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(heads.size()); }
+  [[nodiscard]] std::span<const std::uint32_t> heads_of(std::uint32_t v) const { return heads[v]; }
   [[nodiscard]] std::uint32_t out_degree(std::uint32_t v) const {
-    return start[v + std::size_t{1}] - start[v];
+    return static_cast<std::uint32_t>(heads[v].size());
   }
   [[nodiscard]] std::uint32_t max_out_degree() const;
 };

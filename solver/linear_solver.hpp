@@ -48,7 +48,7 @@ enum class LinearOutcome { reached, iteration_limit, breakdown, stopped };
 struct LinearReport {
   LinearOutcome outcome{};
   int iterations{};
-  double relative_residual{};  ///< last preconditioned norm over the first
+  double relative_residual{};  ///< last norm of b - A x over the first, as GMRES has it; not preconditioned
 };
 
 struct LinearOptions {
@@ -76,7 +76,8 @@ class BlockSystem {
   [[nodiscard]] bool factor(std::span<const double> blocks);
 
   /// Solve A x = b by GMRES, preconditioned from the right by the last factors, started at 0.
-  /// product  A; empty: the matrix itself
+  /// product  A; empty: the matrix itself. What it throws ends the solve and passes through to the caller
+  /// throws   std::runtime_error naming the call of PETSc that failed
   [[nodiscard]] LinearReport solve(std::span<const double> b, std::span<double> x,
                                    const LinearOptions& options, const LinearOperator& product = {},
                                    std::stop_token stop = {});

@@ -12,18 +12,18 @@ namespace leonhard {
 
 /// Values at the vertices of a mesh, e.g. {"mach", 1, ...} or {"velocity", 2, ...}.
 struct PointField {
-  std::string name;
+  std::string name{};
   std::size_t components = 1;
-  std::vector<double> values;  ///< components numbers a vertex, vertex after vertex
+  std::vector<double> values{};  ///< components numbers a vertex, vertex after vertex
 
   friend bool operator==(const PointField&, const PointField&) = default;
 };
 
 /// Values in the triangles or tetrahedra of a mesh, e.g. {"part", 1, ...} or {"stress", 9, ...}.
 struct CellField {
-  std::string name;
+  std::string name{};
   std::size_t components = 1;
-  std::vector<double> values;  ///< components numbers a cell, cell after cell
+  std::vector<double> values{};  ///< components numbers a cell, cell after cell
 
   friend bool operator==(const CellField&, const CellField&) = default;
 };
