@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::mesh {
 namespace {
 
-/// Fills rows with the cells at each vertex, in ascending order.
+/// The cells at each vertex, in ascending order.
 template <class CellId, std::size_t N>
-void fill_rows(std::size_t vertex_count, const PerId<CellId, std::array<VertexId, N>>& corners,
-               std::vector<std::size_t>& first, std::vector<CellId>& cells) {
-  first.assign(vertex_count + 1, 0);
+CompressedRows<CellId, std::size_t> cells_at_vertices(std::size_t vertex_count,
+                                                      const PerId<CellId, std::array<VertexId, N>>& corners) {
   for (const CellId c : corners.ids()) {
     for (const VertexId v : corners[c]) {
       if (v.index() >= vertex_count)
@@ -23,28 +22,22 @@ void fill_rows(std::size_t vertex_count, const PerId<CellId, std::array<VertexId
                          "its corner " + std::to_string(v.raw) + " is no vertex, the mesh has " +
                              std::to_string(vertex_count),
                          "give a mesh that passes validate");
-      ++first[v.index()];
     }
   }
-  std::size_t sum = 0;
-  for (std::size_t& begin : first) begin = std::exchange(sum, sum + begin);
-  cells.resize(sum);
-  for (const CellId c : corners.ids()) {
-    for (const VertexId v : corners[c]) cells[first[v.index()]++] = c;
-  }
-  // Each beginning has moved to its row's end, the beginning of the next.
-  std::rotate(first.begin(), first.end() - 1, first.end());
-  first.front() = 0;
+  return collect_rows<CellId, std::size_t>(vertex_count, [&](const auto& add) {
+    for (const CellId c : corners.ids()) {
+      for (const VertexId v : corners[c]) add(v.index(), c);
+    }
+  });
 }
 
 template <class CellId>
-std::span<const CellId> row_of(const std::vector<std::size_t>& first, const std::vector<CellId>& cells,
-                               VertexId v) {
-  if (v.index() + 1 >= first.size())
+std::span<const CellId> row_of(const CompressedRows<CellId, std::size_t>& rows, VertexId v) {
+  if (v.index() >= rows.size())
     throw InputError("vertex " + std::to_string(v.raw),
-                     "it does not exist, the mesh has " + std::to_string(first.size() - 1) + " vertices",
+                     "it does not exist, the mesh has " + std::to_string(rows.size()) + " vertices",
                      "ask for a vertex of the mesh that the incidence was made of");
-  return std::span(cells).subspan(first[v.index()], first[v.index() + 1] - first[v.index()]);
+  return rows[v.index()];
 }
 
 /// Which corner of a triangle v is.
@@ -108,22 +101,18 @@ TriangleIncidence::TriangleIncidence(const TriangleMesh& mesh) {
                      std::to_string(mesh.neighbours.size()) + " entries for " +
                          std::to_string(mesh.corners.size()) + " triangles",
                      "call build_neighbours");
-  fill_rows(mesh.points.size(), mesh.corners, first_, triangles_);
+  triangles_ = cells_at_vertices(mesh.points.size(), mesh.corners);
   FanSorter sorter(mesh);
-  for (const VertexId v : mesh.points.ids()) {
-    const std::size_t begin = first_[v.index()], end = first_[v.index() + 1];
-    sorter.sort(v, std::span(triangles_).subspan(begin, end - begin));
-  }
+  for (const VertexId v : mesh.points.ids()) sorter.sort(v, triangles_[v.index()]);
 }
 
 std::span<const TriangleId> TriangleIncidence::triangles_at(VertexId v) const& {
-  return row_of(first_, triangles_, v);
+  return row_of(triangles_, v);
 }
 
-TetIncidence::TetIncidence(const TetMesh& mesh) {
-  fill_rows(mesh.points.size(), mesh.corners, first_, tets_);
-}
+TetIncidence::TetIncidence(const TetMesh& mesh)
+    : tets_(cells_at_vertices(mesh.points.size(), mesh.corners)) {}
 
-std::span<const TetId> TetIncidence::tets_at(VertexId v) const& { return row_of(first_, tets_, v); }
+std::span<const TetId> TetIncidence::tets_at(VertexId v) const& { return row_of(tets_, v); }
 
 }  // namespace leonhard::mesh

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
+#include "leonhard/mesh/compressed_rows.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -27,11 +27,10 @@ class TriangleIncidence {
   [[nodiscard]] std::span<const TriangleId> triangles_at(VertexId v) const&;
   void triangles_at(VertexId v) const&& = delete;  // the span would outlive what it shows
 
-  [[nodiscard]] std::size_t vertex_count() const { return first_.size() - 1; }
+  [[nodiscard]] std::size_t vertex_count() const { return triangles_.size(); }
 
  private:
-  std::vector<std::size_t> first_;  ///< those of vertex v are first_[v] .. first_[v + 1] - 1
-  std::vector<TriangleId> triangles_;
+  CompressedRows<TriangleId, std::size_t> triangles_;  // one row a vertex
 };
 
 /// The tetrahedra at each vertex, likewise.
@@ -47,11 +46,10 @@ class TetIncidence {
   [[nodiscard]] std::span<const TetId> tets_at(VertexId v) const&;
   void tets_at(VertexId v) const&& = delete;
 
-  [[nodiscard]] std::size_t vertex_count() const { return first_.size() - 1; }
+  [[nodiscard]] std::size_t vertex_count() const { return tets_.size(); }
 
  private:
-  std::vector<std::size_t> first_;  ///< those of vertex v are first_[v] .. first_[v + 1] - 1
-  std::vector<TetId> tets_;
+  CompressedRows<TetId, std::size_t> tets_;  // one row a vertex
 };
 
 }  // namespace leonhard::mesh

@@ -7,16 +7,9 @@
 #include <vector>
 
 #include "leonhard/mesh/io/file_contents.hpp"
+#include "leonhard/mesh/io/formats/gmsh_form.hpp"
 
 namespace leonhard::io {
-
-enum class GmshVersion { v2_2, v4_1 };
-
-/// The form in which a .msh file is written.
-struct GmshForm {
-  GmshVersion version = GmshVersion::v4_1;
-  bool binary = false;  ///< in this machine's byte order; else text
-};
 
 /// Read a tetrahedral mesh of Gmsh (https://gmsh.info/doc/texinfo/gmsh.html, "Gmsh file formats"), version 2.2 or 4.1,
 /// text or binary of either byte order. Physical groups of triangles are the markers, those of tetrahedra the regions;
