@@ -200,11 +200,14 @@ TetMeshFile assemble(TetSoup soup, FaceRule rule) {
     check_ids(soup);
     if (rule != FaceRule::boundary_and_interfaces) refuse_faces_given_twice(soup);
     TetMeshFile result;
+    result.warnings = std::move(soup.warnings);
     orient_cells(soup, result.warnings);
     result.mesh = checked_mesh(soup, rule, result.warnings);
     if (const auto overlap = mesh::validate_embedding(result.mesh))
       throw InputError(soup.source, "the mesh is tangled: " + *overlap,
                        "correct the coordinates or the tetrahedra there");
+    result.point_fields = std::move(soup.point_fields);
+    result.cell_fields = std::move(soup.cell_fields);
     return result;
   } catch (const InputError& error) {
     if (soup.note.empty()) throw;
