@@ -37,6 +37,12 @@ inline constexpr std::array named_algorithms{
     NamedAlgorithm{"randomized", Algorithm::randomized},
     NamedAlgorithm{"lawson", Algorithm::lawson},
 };
+[[nodiscard]] constexpr std::string_view to_string(Algorithm algorithm) {
+  for (const auto& known : named_algorithms) {
+    if (known.algorithm == algorithm) return known.name;
+  }
+  return "";
+}
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
 
 /// The Delaunay triangulation of distinct, finite points by the algorithm named.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/delaunay/location.hpp"
@@ -21,6 +22,17 @@ enum class MoveOutcome {
   moved,     ///< the vertex is at the new place, maybe the one where it was
   occupied,  ///< another vertex is there; nothing changed
 };
+/// The word for it, e.g. "moved".
+[[nodiscard]] constexpr std::string_view to_string(MoveOutcome outcome) {
+  switch (outcome) {
+    case MoveOutcome::moved:
+      return "moved";
+    case MoveOutcome::occupied:
+      return "occupied";
+  }
+  return "";
+}
+
 struct [[nodiscard]] Moved {
   MoveOutcome outcome;
   VertexId vertex;  ///< at the place: the one that moved, or the other one

@@ -104,7 +104,11 @@ class DynamicTetrahedralization : public DynamicQueries<DynamicTetrahedralizatio
   /// All ids are below: the size of an array by vertex.
   [[nodiscard]] std::size_t id_bound() const { return points_.size(); }
   [[nodiscard]] bool contains(VertexId v) const { return points_.contains(v) && is_finite(points_[v]); }
-  [[nodiscard]] const Point3& point(VertexId v) const { return points_[v]; }
+  [[nodiscard]] const Point3& point(VertexId v) const {
+    if (!contains(v)) [[unlikely]]
+      require_living(v);
+    return points_[v];
+  }
 
   [[nodiscard]] TetVertexView vertices() const { return TetVertexView(points_.flat()); }
   /// The ends of each edge, each edge once, in no particular order. Cost of going through all: O(tetrahedra).

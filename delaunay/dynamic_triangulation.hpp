@@ -91,7 +91,11 @@ class DynamicTriangulation : public DynamicQueries<DynamicTriangulation, Point2,
   /// All ids are below: the size of an array by vertex.
   [[nodiscard]] std::size_t id_bound() const { return points_.size(); }
   [[nodiscard]] bool contains(VertexId v) const { return points_.contains(v) && is_finite(points_[v]); }
-  [[nodiscard]] Point2 point(VertexId v) const { return points_[v]; }
+  [[nodiscard]] Point2 point(VertexId v) const {
+    if (!contains(v)) [[unlikely]]
+      require_living(v);
+    return points_[v];
+  }
 
   [[nodiscard]] VertexView vertices() const { return VertexView(points_.flat()); }
   /// The ends of each edge, each edge once, in no particular order; on a line, the pieces between vertices that follow

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/mesh/id.hpp"
@@ -28,6 +29,38 @@ enum class TetLocationKind {
   in_span,  ///< while all vertices are coplanar: in the plane or on the line that they span, and at none of them
   outside,  ///< not in the convex hull of the vertices; while they are coplanar, not in what they span
 };
+
+/// The word for it, e.g. "on_vertex".
+[[nodiscard]] constexpr std::string_view to_string(PointLocationKind kind) {
+  switch (kind) {
+    case PointLocationKind::on_vertex:
+      return "on_vertex";
+    case PointLocationKind::on_edge:
+      return "on_edge";
+    case PointLocationKind::in_triangle:
+      return "in_triangle";
+    case PointLocationKind::outside:
+      return "outside";
+  }
+  return "";
+}
+[[nodiscard]] constexpr std::string_view to_string(TetLocationKind kind) {
+  switch (kind) {
+    case TetLocationKind::on_vertex:
+      return "on_vertex";
+    case TetLocationKind::on_edge:
+      return "on_edge";
+    case TetLocationKind::on_face:
+      return "on_face";
+    case TetLocationKind::in_tetrahedron:
+      return "in_tetrahedron";
+    case TetLocationKind::in_span:
+      return "in_span";
+    case TetLocationKind::outside:
+      return "outside";
+  }
+  return "";
+}
 
 /// Whether there is a vertex, an edge, a triangle or a tetrahedron that holds the point.
 [[nodiscard]] constexpr bool is_inside(PointLocationKind kind) { return kind != PointLocationKind::outside; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "leonhard/delaunay/topology/ghost_tetrahedralization.hpp"
 #include "leonhard/kernel/progress.hpp"
@@ -17,10 +18,27 @@ enum class TetrahedralizeOutcome {
   stopped,         ///< a stop was requested: the mesh is empty
 };
 
+/// The word for it, e.g. "done".
+[[nodiscard]] constexpr std::string_view to_string(TetrahedralizeOutcome outcome) {
+  switch (outcome) {
+    case TetrahedralizeOutcome::done:
+      return "done";
+    case TetrahedralizeOutcome::too_few_points:
+      return "too_few_points";
+    case TetrahedralizeOutcome::all_collinear:
+      return "all_collinear";
+    case TetrahedralizeOutcome::all_coplanar:
+      return "all_coplanar";
+    case TetrahedralizeOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 struct TetAlgorithmOptions {
   std::uint64_t seed = 1;  ///< of the random part of the insertion order; the tetrahedra do not depend on it
   unsigned threads = 1;    ///< 0: as many as there are cores; only some algorithms use more than one
-  Progress progress;
+  Progress progress{};
 };
 
 /// Tetrahedra of a point set as a tetrahedralisation of the 3-sphere; corner ids are indices of the points. Empty

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "leonhard/delaunay/topology/ghost_triangulation.hpp"
 #include "leonhard/kernel/progress.hpp"
@@ -16,11 +17,26 @@ enum class TriangulateOutcome {
   stopped,         ///< a stop was requested: the mesh is empty
 };
 
+/// The word for it, e.g. "done".
+[[nodiscard]] constexpr std::string_view to_string(TriangulateOutcome outcome) {
+  switch (outcome) {
+    case TriangulateOutcome::done:
+      return "done";
+    case TriangulateOutcome::too_few_points:
+      return "too_few_points";
+    case TriangulateOutcome::all_collinear:
+      return "all_collinear";
+    case TriangulateOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 struct AlgorithmOptions {
   std::uint64_t seed =
       1;  ///< of the algorithms that draw an order at random; the triangles do not depend on it
   unsigned threads = 1;  ///< 0: as many as there are cores; only some algorithms use more than one
-  Progress progress;
+  Progress progress{};
 };
 
 /// Triangles of a point set as a triangulation of the sphere; corner ids are indices of the points. Empty

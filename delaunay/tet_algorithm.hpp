@@ -27,6 +27,12 @@ inline constexpr std::array named_tet_algorithms{
     NamedTetAlgorithm{"insertion", TetAlgorithm::insertion},
     NamedTetAlgorithm{"flipping", TetAlgorithm::flipping},
 };
+[[nodiscard]] constexpr std::string_view to_string(TetAlgorithm algorithm) {
+  for (const auto& known : named_tet_algorithms) {
+    if (known.algorithm == algorithm) return known.name;
+  }
+  return "";
+}
 [[nodiscard]] std::optional<TetAlgorithm> tet_algorithm_named(std::string_view name);
 
 /// The Delaunay tetrahedralisation of distinct, finite points by the algorithm named.

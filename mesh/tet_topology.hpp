@@ -31,7 +31,7 @@ void build_neighbours(TetMesh& mesh);
 struct MarkedFaceRules {
   /// Boundary faces that are not listed get this marker and follow those listed, in the order of boundary_faces. None:
   /// they are refused. (TetGen's files may list none at all.)
-  std::optional<Marker> unlisted_boundary;
+  std::optional<Marker> unlisted_boundary{};
   /// Faces listed that lie between two tetrahedra become mesh.interfaces, as given and in the order given. False: they
   /// are refused.
   bool take_interfaces = false;

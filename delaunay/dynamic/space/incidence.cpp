@@ -6,17 +6,11 @@
 #include "leonhard/delaunay/topology/tet_corners.hpp"
 
 namespace leonhard::delaunay {
-namespace {
-
-constexpr VertexId ghost = GhostTetrahedralization::ghost;
-
-}  // namespace
-
 /// How many vertices and faces the hull's boundary has; nothing while all vertices are coplanar.
 DynamicTetrahedralization::HullSize DynamicTetrahedralization::hull_size() const {
   if (!has_tets()) return {};
   TetStar star;
-  star.collect(cells_, ghost_tet_, ghost);
+  star.collect(cells_, ghost_tet_, GhostTetrahedralization::ghost);
   return {star.neighbours().size(), star.tets().size()};
 }
 
@@ -38,7 +32,7 @@ std::vector<VertexId> DynamicTetrahedralization::neighbours(VertexId v) const {
   star.collect(cells_, tets_[v], v);
   std::vector<VertexId> all(star.neighbours().begin(), star.neighbours().end());
   std::sort(all.begin(), all.end());
-  if (all.back() == ghost) all.pop_back();  // of the highest number
+  if (all.back() == GhostTetrahedralization::ghost) all.pop_back();  // of the highest number
   return all;
 }
 
@@ -51,7 +45,7 @@ void DynamicTetrahedralization::collect_neighbours(VertexId v, Search& search,
   }
   search.star.collect(cells_, tets_[v], v);
   into.assign(search.star.neighbours().begin(), search.star.neighbours().end());
-  std::erase(into, ghost);
+  std::erase(into, GhostTetrahedralization::ghost);
 }
 
 std::vector<VertexQuadruple> DynamicTetrahedralization::tets_at(VertexId v) const {
@@ -77,9 +71,9 @@ std::vector<VertexTriple> DynamicTetrahedralization::hull() const {
   std::vector<VertexTriple> faces;
   if (!has_tets()) return faces;
   TetStar star;
-  star.collect(cells_, ghost_tet_, ghost);
+  star.collect(cells_, ghost_tet_, GhostTetrahedralization::ghost);
   for (const TetId t : star.tets()) {
-    const TetCorners& c = cells_.corners[t];  // seen from the ghost, c[1], c[2], c[3] run clockwise
+    const TetCorners& c = cells_.corners[t];  // seen from outside, c[1], c[2], c[3] run clockwise
     VertexTriple face{c[1], c[3], c[2]};
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
     faces.push_back(face);

@@ -17,42 +17,42 @@ namespace {
 
 /// A vector whose coordinates are doubles or rationals.
 template <class Number>
-struct Vector {
+struct Vector3 {
   Number x, y, z;
 };
 
 template <class Number>
-Vector<Number> difference(const Point3& a, const Point3& b) {
+Vector3<Number> difference(const Point3& a, const Point3& b) {
   return {Number(a.x) - Number(b.x), Number(a.y) - Number(b.y), Number(a.z) - Number(b.z)};
 }
 template <class Number>
-Vector<Number> minus(const Vector<Number>& u, const Vector<Number>& v) {
+Vector3<Number> minus(const Vector3<Number>& u, const Vector3<Number>& v) {
   return {u.x - v.x, u.y - v.y, u.z - v.z};
 }
 template <class Number>
-Vector<Number> plus(const Vector<Number>& u, const Vector<Number>& v) {
+Vector3<Number> plus(const Vector3<Number>& u, const Vector3<Number>& v) {
   return {u.x + v.x, u.y + v.y, u.z + v.z};
 }
 template <class Number>
-Vector<Number> cross(const Vector<Number>& u, const Vector<Number>& v) {
+Vector3<Number> cross(const Vector3<Number>& u, const Vector3<Number>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 template <class Number>
-Number dot(const Vector<Number>& u, const Vector<Number>& v) {
+Number dot(const Vector3<Number>& u, const Vector3<Number>& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 template <class Number>
-Number volume6(const Vector<Number>& u, const Vector<Number>& v, const Vector<Number>& w) {
+Number volume6(const Vector3<Number>& u, const Vector3<Number>& v, const Vector3<Number>& w) {
   return dot(u, cross(v, w));
 }
 
-double magnitude(double x) { return std::abs(x); }
-mpq_class magnitude(const mpq_class& x) { return abs(x); }
+double magnitude_of(double x) { return std::abs(x); }
+mpq_class magnitude_of(const mpq_class& x) { return abs(x); }
 
 /// The circumcentre of 0, u, v and w.
 template <class Number>
-Vector<Number> circumcentre(const Vector<Number>& u, const Vector<Number>& v, const Vector<Number>& w) {
-  const Vector<Number> vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
+Vector3<Number> circumcentre(const Vector3<Number>& u, const Vector3<Number>& v, const Vector3<Number>& w) {
+  const Vector3<Number> vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
   const Number uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), divisor = 2 * dot(u, vw);
   return {(uu * vw.x + vv * wu.x + ww * uv.x) / divisor, (uu * vw.y + vv * wu.y + ww * uv.y) / divisor,
           (uu * vw.z + vv * wu.z + ww * uv.z) / divisor};
@@ -60,11 +60,11 @@ Vector<Number> circumcentre(const Vector<Number>& u, const Vector<Number>& v, co
 
 /// The circumcentre of 0, u and v in their plane.
 template <class Number>
-Vector<Number> circumcentre(const Vector<Number>& u, const Vector<Number>& v) {
-  const Vector<Number> normal = cross(u, v);
+Vector3<Number> circumcentre(const Vector3<Number>& u, const Vector3<Number>& v) {
+  const Vector3<Number> normal = cross(u, v);
   const Number uu = dot(u, u), vv = dot(v, v), divisor = 2 * dot(normal, normal);
-  const Vector<Number> across{uu * v.x - vv * u.x, uu * v.y - vv * u.y, uu * v.z - vv * u.z};
-  const Vector<Number> way = cross(across, normal);
+  const Vector3<Number> across{uu * v.x - vv * u.x, uu * v.y - vv * u.y, uu * v.z - vv * u.z};
+  const Vector3<Number> way = cross(across, normal);
   return {way.x / divisor, way.y / divisor, way.z / divisor};
 }
 
@@ -78,9 +78,9 @@ std::size_t place_of(VertexId v, const std::vector<VertexWeight>& corners) {
 /// Lengths along the axis nearest to the edge's direction: all have one sign, and the sum is not 0.
 template <class Number>
 std::vector<Number> edge_shares(const Point3& from, const Point3& to, const Point3& p) {
-  const Vector<Number> whole = difference<Number>(to, from), first = difference<Number>(to, p),
-                       last = difference<Number>(p, from);
-  const Number x = magnitude(whole.x), y = magnitude(whole.y), z = magnitude(whole.z);
+  const Vector3<Number> whole = difference<Number>(to, from), first = difference<Number>(to, p),
+                        last = difference<Number>(p, from);
+  const Number x = magnitude_of(whole.x), y = magnitude_of(whole.y), z = magnitude_of(whole.z);
   if (x >= y && x >= z) return {first.x, last.x};
   if (y >= z) return {first.y, last.y};
   return {first.z, last.z};
@@ -89,12 +89,12 @@ std::vector<Number> edge_shares(const Point3& from, const Point3& to, const Poin
 /// Areas as seen along the axis nearest to the triangle's normal.
 template <class Number>
 std::vector<Number> face_shares(const std::array<Point3, 3>& corners, const Point3& p) {
-  const Vector<Number> u = difference<Number>(corners[0], p), v = difference<Number>(corners[1], p),
-                       w = difference<Number>(corners[2], p);
-  const Vector<Number> vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
-  const Vector<Number> normal =
+  const Vector3<Number> u = difference<Number>(corners[0], p), v = difference<Number>(corners[1], p),
+                        w = difference<Number>(corners[2], p);
+  const Vector3<Number> vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
+  const Vector3<Number> normal =
       cross(difference<Number>(corners[1], corners[0]), difference<Number>(corners[2], corners[0]));
-  const Number x = magnitude(normal.x), y = magnitude(normal.y), z = magnitude(normal.z);
+  const Number x = magnitude_of(normal.x), y = magnitude_of(normal.y), z = magnitude_of(normal.z);
   if (x >= y && x >= z) return {vw.x, wu.x, uv.x};
   if (y >= z) return {vw.y, wu.y, uv.y};
   return {vw.z, wu.z, uv.z};
@@ -102,7 +102,7 @@ std::vector<Number> face_shares(const std::array<Point3, 3>& corners, const Poin
 
 template <class Number>
 std::vector<Number> tet_shares(const std::array<Point3, 4>& corners, const Point3& p) {
-  std::array<Vector<Number>, 4> arm;
+  std::array<Vector3<Number>, 4> arm;
   for (unsigned i = 0; i < 4; ++i) arm[i] = difference<Number>(corners[i], p);
   std::vector<Number> shares;
   for (const auto& [a, b, c] : tet_face_corners) shares.push_back(volume6(arm[a], arm[b], arm[c]));
@@ -140,7 +140,7 @@ class StolenVolumes {
     const auto& corners = in_.corners[t];
     return {place(corners[a]), place(corners[b]), place(corners[c])};
   }
-  [[nodiscard]] Vector<Number> old_centre(std::span<const Point3> points, TetId t) const {
+  [[nodiscard]] Vector3<Number> old_centre(std::span<const Point3> points, TetId t) const {
     const auto& c = in_.corners[t];
     const Point3& o = points[c[0].index()];
     const auto arm = [&](unsigned i) { return difference<Number>(points[c[i].index()], o); };
@@ -149,15 +149,15 @@ class StolenVolumes {
 
   /// Add the cone from v over the triangle (from, to, m), counter-clockwise as seen from outside of what v loses, where m
   /// is the middle between v and w (maybe p): half as large as that with w itself.
-  void add(std::size_t v, const Vector<Number>& w, const Vector<Number>& from, const Vector<Number>& to) {
-    const Vector<Number>& apex = arms_[v];
+  void add(std::size_t v, const Vector3<Number>& w, const Vector3<Number>& from, const Vector3<Number>& to) {
+    const Vector3<Number>& apex = arms_[v];
     volumes_[v] += volume6(minus(from, apex), minus(to, apex), minus(w, apex));
   }
 
   /// A face a, b, c is crossed outwards on the way counter-clockwise about a -> b, as seen from b, and also about b -> c
   /// and c -> a: that is the way about the face between the cells of a and b in which a sees it from within.
-  void add_crossing(const std::array<std::size_t, 3>& face, const Vector<Number>& from,
-                    const Vector<Number>& to) {
+  void add_crossing(const std::array<std::size_t, 3>& face, const Vector3<Number>& from,
+                    const Vector3<Number>& to) {
     for (unsigned i = 0; i < 3; ++i) {
       const std::size_t a = face[i], b = face[(i + 1) % 3];
       add(a, arms_[b], from, to);
@@ -181,7 +181,7 @@ class StolenVolumes {
     for (std::size_t k = 0; k < zone_.walls().size(); ++k) {
       const TetConflictZone::Wall& wall = zone_.walls()[k];
       const auto [a, b, c] = corners_of(wall.inner, wall.face);
-      const Vector<Number>&inner = old_centres_[place(wall.inner)], &outer = new_centres_[k];
+      const Vector3<Number>&inner = old_centres_[place(wall.inner)], &outer = new_centres_[k];
       add_crossing({a, b, c}, inner, outer);
       add_crossing({a, c, b}, outer, inner);
     }
@@ -204,11 +204,11 @@ class StolenVolumes {
     std::sort(edges.begin(), edges.end(), [](const Edge& e, const Edge& f) {
       return e.ends != f.ends ? e.ends < f.ends : e.reversed < f.reversed;
     });
-    const Vector<Number> origin{Number(0), Number(0), Number(0)};
+    const Vector3<Number> origin{Number(0), Number(0), Number(0)};
     for (std::size_t k = 0; k + 1 < edges.size(); k += 2) {
       const auto [a, b] =
           edges[k].ends;  // edges[k] runs from a to b about its wall, the other one from b to a
-      const Vector<Number>&leave = new_centres_[edges[k].wall], &enter = new_centres_[edges[k + 1].wall];
+      const Vector3<Number>&leave = new_centres_[edges[k].wall], &enter = new_centres_[edges[k + 1].wall];
       add(a, arms_[b], leave, enter);
       add(a, origin, enter, leave);
       add(b, arms_[a], enter, leave);
@@ -219,28 +219,28 @@ class StolenVolumes {
   const GhostTetrahedralization& in_;
   const TetConflictZone& zone_;
   const std::vector<VertexWeight>& corners_;  // vertices in rising order
-  std::vector<Vector<Number>> arms_, old_centres_, new_centres_;
+  std::vector<Vector3<Number>> arms_, old_centres_, new_centres_;
   std::vector<Number> volumes_;
 };
 
 /// What the corners of the zone's ghosts lose to p in the plane of these, times two as seen along an axis; p is the origin.
 template <class Number>
-class StolenAreas {
+class StolenAreasOnHull {
  public:
-  StolenAreas(const GhostTetrahedralization& in, std::span<const Point3> points, const TetConflictZone& zone,
-              const std::vector<VertexWeight>& corners, const Point3& p)
+  StolenAreasOnHull(const GhostTetrahedralization& in, std::span<const Point3> points,
+                    const TetConflictZone& zone, const std::vector<VertexWeight>& corners, const Point3& p)
       : areas_(corners.size(), Number(0)), into_(corners.size()), out_of_(corners.size()) {
     for (const auto& [v, weight] : corners) arms_.push_back(difference<Number>(points[v.index()], p));
     const auto tets = zone.tets();
     std::vector<TetId> ghosts;
     for (const TetId t : tets)
       if (in.is_ghost(t)) ghosts.push_back(t);
-    std::vector<Vector<Number>> old_centres;
+    std::vector<Vector3<Number>> old_centres;
     for (const TetId t : ghosts) {
       const auto& c = in.corners[t];
       const Point3& o = points[c[1].index()];
-      const Vector<Number> u = difference<Number>(points[c[2].index()], o),
-                           v = difference<Number>(points[c[3].index()], o);
+      const Vector3<Number> u = difference<Number>(points[c[2].index()], o),
+                            v = difference<Number>(points[c[3].index()], o);
       if (old_centres.empty()) choose_axis(cross(u, v));
       old_centres.push_back(plus(arms_[place_of(c[1], corners)], circumcentre(u, v)));
     }
@@ -256,7 +256,7 @@ class StolenAreas {
           add(a, old_centres[static_cast<std::size_t>(other - ghosts.begin())], old_centres[k]);
           continue;
         }
-        const Vector<Number> new_centre = circumcentre(arms_[a], arms_[b]);
+        const Vector3<Number> new_centre = circumcentre(arms_[a], arms_[b]);
         add(a, new_centre, old_centres[k]);
         add(b, old_centres[k], new_centre);
         out_of_[a] = into_[b] = new_centre;
@@ -267,19 +267,19 @@ class StolenAreas {
   [[nodiscard]] const std::vector<Number>& areas() const { return areas_; }
 
  private:
-  void choose_axis(const Vector<Number>& normal) {
-    const Number x = magnitude(normal.x), y = magnitude(normal.y), z = magnitude(normal.z);
+  void choose_axis(const Vector3<Number>& normal) {
+    const Number x = magnitude_of(normal.x), y = magnitude_of(normal.y), z = magnitude_of(normal.z);
     axis_ = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   }
   /// A side of what v loses, counter-clockwise.
-  void add(std::size_t v, const Vector<Number>& from, const Vector<Number>& to) {
-    const Vector<Number> area = cross(minus(from, arms_[v]), minus(to, arms_[v]));
+  void add(std::size_t v, const Vector3<Number>& from, const Vector3<Number>& to) {
+    const Vector3<Number> area = cross(minus(from, arms_[v]), minus(to, arms_[v]));
     areas_[v] += axis_ == 0 ? area.x : axis_ == 1 ? area.y : area.z;
   }
 
-  std::vector<Vector<Number>> arms_;  // one a corner, as all that follow
+  std::vector<Vector3<Number>> arms_;  // one a corner, as all that follow
   std::vector<Number> areas_;
-  std::vector<Vector<Number>> into_,
+  std::vector<Vector3<Number>> into_,
       out_of_;  // of the border's edge that ends in a corner, and of that which starts there
   unsigned axis_ = 0;
 };
@@ -347,7 +347,7 @@ void sibson_weights_on_hull(const GhostTetrahedralization& in, std::span<const P
     for (unsigned i = 1; in.is_ghost(t) && i < 4; ++i) weights.push_back({in.corners[t][i], 0});
   make_distinct(weights);
   const auto areas = [&]<class Number>(Number) {
-    return StolenAreas<Number>(in, points, zone, weights, p).areas();
+    return StolenAreasOnHull<Number>(in, points, zone, weights, p).areas();
   };
   weigh_by_shares(points, p, areas, weights);
 }

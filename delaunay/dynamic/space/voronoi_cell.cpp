@@ -15,8 +15,6 @@
 namespace leonhard::delaunay {
 namespace {
 
-constexpr VertexId ghost = GhostTetrahedralization::ghost;
-
 /// Puts the cell of a vertex together from the tetrahedra about it: each real one gives a corner, each ghost a ray, each
 /// edge a face; what exact predicates say is the same is made one before.
 class CellBuilder {
@@ -30,7 +28,7 @@ class CellBuilder {
     std::vector<VertexId> neighbours(star.neighbours().begin(), star.neighbours().end());
     std::sort(neighbours.begin(), neighbours.end());
     for (const VertexId w : neighbours)
-      if (w != ghost) add_face(w);
+      if (w != GhostTetrahedralization::ghost) add_face(w);
   }
   [[nodiscard]] TetVoronoiCell take() && { return std::move(cell_); }
 
