@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 # How every room of the house is built: one target a room, flags on targets only.
 
-include(GNUInstallDirs)
-
 # Headers are read as <leonhard/ROOM/FILE.hpp> in the build tree and after installation alike: the build tree
 # holds a folder of links to the rooms.
 set(LEONHARD_BUILD_INCLUDE ${PROJECT_BINARY_DIR}/include)
@@ -31,16 +29,29 @@ function(leonhard_flags target)
   endif()
 endfunction()
 
-# leonhard_room(NAME SOURCES ...): the library target leonhard_NAME with its alias leonhard::NAME.
+# leonhard_room(NAME SOURCES ...): the library target leonhard_NAME with its alias leonhard::NAME, a component of the package.
 function(leonhard_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES" ${ARGN})
   add_library(leonhard_${name} ${ROOM_SOURCES})
   add_library(leonhard::${name} ALIAS leonhard_${name})
   leonhard_flags(leonhard_${name})
-  target_include_directories(leonhard_${name} PUBLIC
-    $<BUILD_INTERFACE:${LEONHARD_BUILD_INCLUDE}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  set_target_properties(leonhard_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  set_property(GLOBAL APPEND PROPERTY LEONHARD_ROOM_TARGETS leonhard_${name})
+  target_include_directories(leonhard_${name} PUBLIC $<BUILD_INTERFACE:${LEONHARD_BUILD_INCLUDE}>)
+  set_target_properties(leonhard_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)
+  if(NOT PROJECT_IS_TOP_LEVEL AND NOT LEONHARD_INSTALL)  # another project builds what it links
+    set_target_properties(leonhard_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY LEONHARD_COMPONENTS ${name})
+endfunction()
+
+# leonhard_needs(NAME COMPONENTS ... PACKAGES ... LINKED_PACKAGES ... LINKED_MODULES ...): what users of an installed room have to
+# find: other rooms; packages of which its headers speak; packages and pkg-config modules (as PREFIX=module) that are linked into
+# it, for which only users of a static library have to look.
+function(leonhard_needs name)
+  cmake_parse_arguments(NEEDS "" "" "COMPONENTS;PACKAGES;LINKED_PACKAGES;LINKED_MODULES" ${ARGN})
+  foreach(kind COMPONENTS PACKAGES LINKED_PACKAGES LINKED_MODULES)
+    set_property(GLOBAL APPEND PROPERTY LEONHARD_${kind}_OF_${name} ${NEEDS_${kind}})
+  endforeach()
 endfunction()
 
 # leonhard_test(ROOM SOURCES ... LIBRARIES ...): one doctest program a room; each test case is one ctest entry.

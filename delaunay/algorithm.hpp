@@ -20,6 +20,21 @@ enum class TriangulateOutcome {
   stopped,         ///< a stop was requested: the mesh is empty
 };
 
+/// The word for it, e.g. "done".
+[[nodiscard]] constexpr std::string_view to_string(TriangulateOutcome outcome) {
+  switch (outcome) {
+    case TriangulateOutcome::done:
+      return "done";
+    case TriangulateOutcome::too_few_points:
+      return "too_few_points";
+    case TriangulateOutcome::all_collinear:
+      return "all_collinear";
+    case TriangulateOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 /// The ways to the one Delaunay triangulation of a point set. All give the same triangles: ties are broken by
 /// kernel::incircle_perturbed.
 enum class Algorithm {
@@ -46,13 +61,19 @@ inline constexpr std::array named_algorithms{
     NamedAlgorithm{"randomized", Algorithm::randomized},
     NamedAlgorithm{"lawson", Algorithm::lawson},
 };
+[[nodiscard]] constexpr std::string_view to_string(Algorithm algorithm) {
+  for (const auto& known : named_algorithms) {
+    if (known.algorithm == algorithm) return known.name;
+  }
+  return "";
+}
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
 
 struct AlgorithmOptions {
   std::uint64_t seed =
       1;  ///< of the algorithms that draw an order at random; the triangles do not depend on it
   unsigned threads = 1;  ///< 0: as many as there are cores; only some algorithms use more than one
-  Progress progress;
+  Progress progress{};
 };
 
 /// Triangles of a point set as a triangulation of the sphere; corner ids are indices of the points. Empty

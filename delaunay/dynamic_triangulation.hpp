@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/delaunay/dynamic/vertex_weights.hpp"
@@ -30,6 +31,21 @@ enum class Extent {
   line,     ///< two or more vertices, all on one line
   plane,    ///< there are triangles
 };
+
+/// The word for it, e.g. "nothing".
+[[nodiscard]] constexpr std::string_view to_string(Extent extent) {
+  switch (extent) {
+    case Extent::nothing:
+      return "nothing";
+    case Extent::point:
+      return "point";
+    case Extent::line:
+      return "line";
+    case Extent::plane:
+      return "plane";
+  }
+  return "";
+}
 
 /// Where a point lies: a closed set of answers, each of which depends on the vertices and the point alone.
 struct PointLocation {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/kernel/progress.hpp"
@@ -19,13 +20,13 @@ struct RefineOptions {
   double min_angle_deg = 25;
   /// Target edge length at a point, positive and finite; may be empty. The mean edge length comes out close
   /// to it.
-  std::function<double(Point2)> size;
+  std::function<double(Point2)> size{};
   double max_area = -1;                   ///< no triangle larger than this; not positive: no bound
   std::size_t max_vertices = 10'000'000;  ///< stop adding vertices here
   double min_edge = 0;                    ///< add no vertex closer than this to another one
   /// Keep the convex hull although no segment bounds it (its edges then act as segments).
   bool keep_convex_hull = false;
-  Progress progress;
+  Progress progress{};
 };
 
 enum class RefineOutcome {
@@ -35,6 +36,21 @@ enum class RefineOutcome {
   vertex_budget_spent,  ///< max_vertices reached; the mesh is valid, some bounds unmet
   stopped,  ///< a stop was requested; the mesh is valid, some bounds unmet (empty if it came too early)
 };
+
+/// The word for it, e.g. "achieved".
+[[nodiscard]] constexpr std::string_view to_string(RefineOutcome outcome) {
+  switch (outcome) {
+    case RefineOutcome::achieved:
+      return "achieved";
+    case RefineOutcome::small_angles_left:
+      return "small_angles_left";
+    case RefineOutcome::vertex_budget_spent:
+      return "vertex_budget_spent";
+    case RefineOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
 
 struct [[nodiscard]] RefineReport {
   RefineOutcome outcome = RefineOutcome::achieved;

@@ -21,6 +21,23 @@ enum class TetrahedralizeOutcome {
   stopped,         ///< a stop was requested: the mesh is empty
 };
 
+/// The word for it, e.g. "done".
+[[nodiscard]] constexpr std::string_view to_string(TetrahedralizeOutcome outcome) {
+  switch (outcome) {
+    case TetrahedralizeOutcome::done:
+      return "done";
+    case TetrahedralizeOutcome::too_few_points:
+      return "too_few_points";
+    case TetrahedralizeOutcome::all_collinear:
+      return "all_collinear";
+    case TetrahedralizeOutcome::all_coplanar:
+      return "all_coplanar";
+    case TetrahedralizeOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 /// The ways to the one Delaunay tetrahedralisation of a point set. All give the same tetrahedra: ties are broken by
 /// kernel::insphere_perturbed.
 enum class TetAlgorithm {
@@ -37,12 +54,18 @@ inline constexpr std::array named_tet_algorithms{
     NamedTetAlgorithm{"insertion", TetAlgorithm::insertion},
     NamedTetAlgorithm{"flipping", TetAlgorithm::flipping},
 };
+[[nodiscard]] constexpr std::string_view to_string(TetAlgorithm algorithm) {
+  for (const auto& known : named_tet_algorithms) {
+    if (known.algorithm == algorithm) return known.name;
+  }
+  return "";
+}
 [[nodiscard]] std::optional<TetAlgorithm> tet_algorithm_named(std::string_view name);
 
 struct TetAlgorithmOptions {
   std::uint64_t seed = 1;  ///< of the random part of the insertion order; the tetrahedra do not depend on it
   unsigned threads = 1;    ///< 0: as many as there are cores; only some algorithms use more than one
-  Progress progress;
+  Progress progress{};
 };
 
 /// Tetrahedra of a point set as a tetrahedralisation of the 3-sphere; corner ids are indices of the points. Empty

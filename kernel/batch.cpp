@@ -11,6 +11,7 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/kernel/spheres_filter.hpp"
 
 namespace leonhard::kernel {
 
@@ -20,6 +21,8 @@ const detail::BatchFilters& detail::best_batch_filters() {
 #endif
   return batch_filters_baseline;
 }
+
+SpheresFilter spheres_filter() { return detail::best_batch_filters().spheres; }
 
 namespace {
 

@@ -12,11 +12,11 @@
 /// filter leaves is asked of the predicate. The answers are those of predicates.hpp and predicates3.hpp, whose
 /// conventions of sign hold, for every input.
 ///
-/// points  finite
 /// signs   receives the answers, signs[i] that of the i-th call
-/// throws  InputError if there are not as many signs as calls, before any is written
+/// throws  InputError if there are not as many signs as calls, before any is written; as the predicate if a point that is
+///         asked about is not finite, the signs being of no meaning then
 ///
-/// Ids index points; one out of range is a bug, which assertions catch.
+/// Ids index points: a precondition, which assertions check.
 namespace leonhard::kernel {
 
 // ---- Calls of points by id ----

@@ -63,7 +63,7 @@ struct ExactPointEquality {
 ///   bool convex = boost::geometry::is_convex(ring, leonhard::kernel::ExactSide{});
 ///   bool inside = boost::geometry::within(Point2{1e-10, 1e-10}, ring, leonhard::kernel::ExactWinding{});
 ///
-/// is_convex needs <boost/geometry/algorithms/is_convex.hpp>. Coordinates are float or double and finite. convex_hull of
+/// is_convex needs <boost/geometry/algorithms/is_convex.hpp>. Coordinates are float or double. convex_hull of
 /// Boost before 1.76 and all overlays (intersection, union_) take no side strategy.
 struct ExactSide {
   using cs_tag = boost::geometry::cartesian_tag;
@@ -72,6 +72,7 @@ struct ExactSide {
   [[nodiscard]] static ExactPointEquality get_equals_point_point_strategy() { return {}; }
 
   /// returns  1 if p lies left of the line ab, 0 on it, -1 right of it
+  /// throws   InputError if a coordinate is not finite
   template <class A, class B, class P>
   [[nodiscard]] static int apply(const A& a, const B& b, const P& p) {
     return static_cast<int>(orient2d(detail::to_point2(a), detail::to_point2(b), detail::to_point2(p)));
@@ -97,11 +98,12 @@ struct ExactWinding {
   /// Adds the edge ab to the state of p.
   ///
   /// returns  false once the answer is known: p lies on ab
+  /// throws   InputError if a coordinate is not finite, unless the edge lies above or below p all the same
   template <class P, class A>
   [[nodiscard]] static bool apply(const P& point, const A& first, const A& second, state_type& state) {
     const Point2 p = detail::to_point2(point), a = detail::to_point2(first), b = detail::to_point2(second);
     const bool a_is_above = a.y > p.y, b_is_above = b.y > p.y;
-    if (std::min(a.y, b.y) > p.y || std::max(a.y, b.y) < p.y) return true;
+    if ((a_is_above && b_is_above) || (a.y < p.y && b.y < p.y)) return true;
 
     const Sign side = orient2d(a, b, p);
     if (side == Sign::zero && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x)) state.on_edge = true;

@@ -26,6 +26,7 @@ class LineCrossing : public ImplicitPoint<Point2, 4> {
 
 /// The predicates of predicates.hpp, with the same signs, of any mixture of Point2 and LineCrossing.
 ///
+/// throws  InputError if a coordinate of a Point2 is NaN or infinite
 /// Cost: tens of nanoseconds, microseconds for ties.
 [[nodiscard]] Sign orient2d(const PointRef2& a, const PointRef2& b, const PointRef2& c);
 [[nodiscard]] Sign incircle(const PointRef2& a, const PointRef2& b, const PointRef2& c, const PointRef2& d);
@@ -53,6 +54,7 @@ struct RoundedPoint2 {
 
 /// The double point nearest to p: each coordinate is rounded to the nearest double, ties to even.
 ///
+/// throws   InputError if p is explicit and not finite
 /// returns  error 0 if p is explicit, else at most u = 2^-53 times the larger coordinate, or 2^-1074 if that is more. A
 ///          coordinate from 2^1024 - 2^970 on becomes the largest double, and the error infinite.
 [[nodiscard]] RoundedPoint2 rounded(const PointRef2& p);

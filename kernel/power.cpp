@@ -10,6 +10,7 @@
 #include "leonhard/kernel/arithmetic/exact_range.hpp"
 #include "leonhard/kernel/arithmetic/long_vector.hpp"
 #include "leonhard/kernel/stages/exact.hpp"
+#include "leonhard/kernel/stages/finite.hpp"
 
 namespace leonhard::kernel {
 namespace {
@@ -129,7 +130,7 @@ FilteredSign power_test_double_double(const Relative2& a, const Relative2& b, co
   const DoubleDouble determinant = power_determinant(a, b, c);
   const double size = rounded_square(a.vector) + rounded_square(b.vector) + rounded_square(c.vector);
   const double weights = std::abs(a.weight.high) + std::abs(b.weight.high) + std::abs(c.weight.high);
-  return detail::sign_if_beyond(determinant.high, 0x1p-102 * (size * (size + 1.5 * weights)));
+  return sign_if_beyond(determinant.high, 0x1p-102 * (size * (size + 1.5 * weights)));
 }
 
 /// As power_test_filter. Vectors and weights are exact; a product has errors of 4 * 7 u^2, its minor 3 u^2,
@@ -142,8 +143,7 @@ FilteredSign power_test_double_double(const Relative3& a, const Relative3& b, co
                       rounded_square(d.vector);
   const double weights =
       std::abs(a.weight.high) + std::abs(b.weight.high) + std::abs(c.weight.high) + std::abs(d.weight.high);
-  return detail::sign_if_beyond(determinant.high,
-                                0x1p-103 * (size * std::sqrt(size) * (size + 1.5 * weights)));
+  return sign_if_beyond(determinant.high, 0x1p-103 * (size * std::sqrt(size) * (size + 1.5 * weights)));
 }
 
 template <class WeightedPoint>
@@ -158,6 +158,7 @@ Sign compare_power_distance_expansion(const WeightedPoint& p, const WeightedPoin
 
 Sign power_test_exact(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& c,
                       const WeightedPoint2& d) {
+  detail::require_finite("power_test", a, b, c, d);
   std::array points{a, b, c, d};
   if (!fit_weighted<4>(points)) return exact::power_test(a, b, c, d);
   const auto u = relative(points[0], points[3]);
@@ -170,6 +171,7 @@ Sign power_test_exact(const WeightedPoint2& a, const WeightedPoint2& b, const We
 
 Sign power_test_exact(const WeightedPoint3& a, const WeightedPoint3& b, const WeightedPoint3& c,
                       const WeightedPoint3& d, const WeightedPoint3& e) {
+  detail::require_finite("power_test", a, b, c, d, e);
   std::array points{a, b, c, d, e};
   if (!fit_weighted<5>(points)) return exact::power_test(a, b, c, d, e);
   const auto u = relative(points[0], points[4]);
@@ -182,12 +184,14 @@ Sign power_test_exact(const WeightedPoint3& a, const WeightedPoint3& b, const We
 }
 
 Sign compare_power_distance_exact(const Point2& p, const WeightedPoint2& a, const WeightedPoint2& b) {
+  detail::require_finite("compare_power_distance", p, a, b);
   std::array points{WeightedPoint2{p, 0}, a, b};
   if (!fit_weighted<2>(points)) return exact::compare_power_distance(p, a, b);
   return compare_power_distance_expansion(points[0], points[1], points[2]);
 }
 
 Sign compare_power_distance_exact(const Point3& p, const WeightedPoint3& a, const WeightedPoint3& b) {
+  detail::require_finite("compare_power_distance", p, a, b);
   std::array points{WeightedPoint3{p, 0}, a, b};
   if (!fit_weighted<2>(points)) return exact::compare_power_distance(p, a, b);
   return compare_power_distance_expansion(points[0], points[1], points[2]);

@@ -3,16 +3,16 @@
 
 #include <cmath>
 
+#include "leonhard/kernel/filtered_sign.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
 #include "leonhard/kernel/sign.hpp"
-#include "leonhard/kernel/stages/filtered_sign.hpp"
 #include "leonhard/kernel/weighted_point.hpp"
 
 /// incircle, insphere and compare_distance of weighted points, for regular triangulations and power diagrams,
-/// exact for every finite coordinate and weight, in stages as in predicates.hpp. With equal weights they are
-/// incircle, insphere and compare_distance.
+/// exact for every finite coordinate and weight, in stages as in predicates.hpp; InputError if one is NaN or infinite. With
+/// equal weights they are incircle, insphere and compare_distance.
 ///
 /// The power of two weighted points is |p - q|^2 - w_p - w_q; it is zero if their circles meet at right
 /// angles. The orthogonal circle of a, b, c is the weighted point whose power to each of them is zero. A
@@ -67,7 +67,7 @@ template <class Vector, class Height>
   const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
   const double determinant = detail::lifted_determinant(u, v, w, uu - gu, vv - gv, ww - gw);
   const double size = 0x1p-1000 + uu + vv + ww, weights = std::abs(gu) + std::abs(gv) + std::abs(gw);
-  return detail::sign_if_beyond(determinant, 0x1.2p-51 * (size * (size + 1.5 * weights)));
+  return sign_if_beyond(determinant, 0x1.2p-51 * (size * (size + 1.5 * weights)));
 }
 [[nodiscard]] Sign power_test_exact(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& c,
                                     const WeightedPoint2& d);
@@ -130,7 +130,7 @@ template <class Vector, class Height>
   const double determinant = detail::lifted_determinant(u, v, w, t, uu - gu, vv - gv, ww - gw, tt - gt);
   const double size = 0x1p-600 + uu + vv + ww + tt;
   const double weights = std::abs(gu) + std::abs(gv) + std::abs(gw) + std::abs(gt);
-  return detail::sign_if_beyond(determinant, 0x1.8p-52 * (size * std::sqrt(size) * (size + 1.5 * weights)));
+  return sign_if_beyond(determinant, 0x1.8p-52 * (size * std::sqrt(size) * (size + 1.5 * weights)));
 }
 [[nodiscard]] Sign power_test_exact(const WeightedPoint3& a, const WeightedPoint3& b, const WeightedPoint3& c,
                                     const WeightedPoint3& d, const WeightedPoint3& e);
@@ -176,7 +176,7 @@ template <class Vector, class Height>
                                                                 const WeightedPoint2& b) {
   const Vec2 u = a.point - p, v = b.point - p;
   const double uu = dot(u, u), vv = dot(v, v), g = a.weight - b.weight;
-  return detail::sign_if_beyond((uu - vv) - g, 0x1.cp-51 * (uu + vv + std::abs(g)));
+  return sign_if_beyond((uu - vv) - g, 0x1.cp-51 * (uu + vv + std::abs(g)));
 }
 [[nodiscard]] Sign compare_power_distance_exact(const Point2& p, const WeightedPoint2& a,
                                                 const WeightedPoint2& b);
@@ -198,7 +198,7 @@ template <class Vector, class Height>
                                                                 const WeightedPoint3& b) {
   const Vec3 u = a.point - p, v = b.point - p;
   const double uu = dot(u, u), vv = dot(v, v), g = a.weight - b.weight;
-  return detail::sign_if_beyond((uu - vv) - g, 0x1p-50 * (uu + vv + std::abs(g)));
+  return sign_if_beyond((uu - vv) - g, 0x1p-50 * (uu + vv + std::abs(g)));
 }
 [[nodiscard]] Sign compare_power_distance_exact(const Point3& p, const WeightedPoint3& a,
                                                 const WeightedPoint3& b);

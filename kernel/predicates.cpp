@@ -8,9 +8,10 @@
 
 #include "leonhard/kernel/arithmetic/exact_range.hpp"
 #include "leonhard/kernel/arithmetic/long_vector.hpp"
-#include "leonhard/kernel/arithmetic/pair.hpp"
 #include "leonhard/kernel/arithmetic/small_multiples.hpp"
+#include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/stages/exact.hpp"
+#include "leonhard/kernel/stages/finite.hpp"
 #include "leonhard/kernel/stages/integer_predicates.hpp"
 #include "leonhard/kernel/stages/stage.hpp"
 
@@ -29,7 +30,7 @@ auto incircle_determinant(const LongVec2<Number>& u, const LongVec2<Number>& v, 
 FilteredSign incircle_double_double(const LongVec2<DoubleDouble>& u, const LongVec2<DoubleDouble>& v,
                                     const LongVec2<DoubleDouble>& w) {
   const double size = rounded_square(u) + rounded_square(v) + rounded_square(w);
-  return detail::sign_if_beyond(incircle_determinant(u, v, w).high, 0x1p-102 * (size * size));
+  return sign_if_beyond(incircle_determinant(u, v, w).high, 0x1p-102 * (size * size));
 }
 
 double rounded_incircle(Vec2 u, Vec2 v, Vec2 w) {
@@ -37,6 +38,7 @@ double rounded_incircle(Vec2 u, Vec2 v, Vec2 w) {
 }
 
 StagedSign orient2d_beyond_filter(const Point2& a, const Point2& b, const Point2& c) {
+  detail::require_finite("orient2d", a, b, c);
   const Vec2 l = a - c, r = b - c;
   if (are_small_multiples<26>(std::array{xy_of(l), xy_of(r)}, std::array{xy_of(a), xy_of(b), xy_of(c)}))
     return {sign_of(cross(l, r)), Stage::small_integer};  // below 2 * 2^(2 * 26) units
@@ -50,6 +52,7 @@ StagedSign orient2d_beyond_filter(const Point2& a, const Point2& b, const Point2
 }
 
 StagedSign incircle_beyond_filter(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  detail::require_finite("incircle", a, b, c, d);
   const Vec2 to_a = a - d, to_b = b - d, to_c = c - d;
   if (are_small_multiples<12>(std::array{xy_of(to_a), xy_of(to_b), xy_of(to_c)},
                               std::array{xy_of(a), xy_of(b), xy_of(c), xy_of(d)}))
@@ -67,6 +70,8 @@ StagedSign incircle_beyond_filter(const Point2& a, const Point2& b, const Point2
 }
 
 }  // namespace
+
+void detail::refuse_order(const Point2& a, const Point2& b) { refuse_not_finite("compare_xy", a, b); }
 
 Sign orient2d_exact(const Point2& a, const Point2& b, const Point2& c) {
   return orient2d_beyond_filter(a, b, c).sign;
@@ -113,6 +118,7 @@ Sign incircle_tie(const Point2& a, const Point2& b, const Point2& c, const Point
 }
 
 Sign in_diametral_circle_exact(const Point2& p, const Point2& a, const Point2& b) {
+  detail::require_finite("in_diametral_circle", p, a, b);
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::in_diametral_circle(p, a, b);
   return -dot(expanded(long_difference(points[1], points[0])),
@@ -121,6 +127,7 @@ Sign in_diametral_circle_exact(const Point2& p, const Point2& a, const Point2& b
 }
 
 Sign compare_distance_exact(const Point2& p, const Point2& a, const Point2& b) {
+  detail::require_finite("compare_distance", p, a, b);
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::compare_distance(p, a, b);
   const auto u = expanded(long_difference(points[1], points[0])),

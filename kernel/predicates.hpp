@@ -3,18 +3,21 @@
 
 #include <cmath>
 
-#include "leonhard/kernel/arithmetic/pair.hpp"
+#include "leonhard/kernel/filtered_sign.hpp"
+#include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
-#include "leonhard/kernel/stages/filtered_sign.hpp"
 
 /// Geometric predicates of the plane, exact for every finite double: overflow, underflow and subnormals
 /// included.
 ///
 /// Each predicate has three parts. X_filter, inline, evaluates the determinant in floating point and answers
 /// only if a proven error bound says that the sign is right; X_exact passes through the stages of stage.hpp, which end
-/// with GMP; X tries the one and falls through to the other. NaN and infinities are outside the domain: readers refuse
-/// them.
+/// with GMP; X tries the one and falls through to the other.
+///
+/// Every predicate throws InputError, naming itself and the point, if a coordinate is NaN or infinite: the filter cannot
+/// tell then, so the check is made behind it and costs nothing where the filter answers. X_filter alone says that it
+/// cannot tell; X_tie wants finite points whose X is zero.
 ///
 /// filtered_sign.hpp has the notation of the error bounds. Points are taken by reference so that the call of the
 /// exact part costs the inlined filter no copies.
@@ -72,7 +75,7 @@ namespace detail {
   const Pair uw_vw = uv_x * w_y - uv_y * w_x;
   const Pair sums = swapped(uw_vw) * uv_square + uv_x * swapped(uv_y) * w_square;
   const double size = uv_square[0] + uv_square[1] + w_square[0];
-  return detail::sign_if_beyond(sums[0] - sums[1], 0x1p-51 * (size * size));
+  return sign_if_beyond(sums[0] - sums[1], 0x1p-51 * (size * size));
 }
 [[nodiscard]] Sign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
@@ -88,7 +91,7 @@ namespace detail {
   return incircle_exact(a, b, c, d);
 }
 
-/// The sign of incircle(a, b, c, d) after a symbolic perturbation, for four points whose incircle is zero.
+/// The sign of incircle(a, b, c, d) after a symbolic perturbation, for four points whose incircle is zero: a precondition.
 [[nodiscard]] Sign incircle_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
 /// incircle with ties broken by coordinates alone, so that every point set has one Delaunay triangulation.
@@ -144,7 +147,7 @@ namespace detail {
 [[nodiscard]] inline FilteredSign compare_distance_filter(const Point2& p, const Point2& a, const Point2& b) {
   const Vec2 u = a - p, v = b - p;
   const double uu = dot(u, u);
-  return detail::sign_if_beyond(uu - dot(v, v), 8.8819e-16 * uu);
+  return sign_if_beyond(uu - dot(v, v), 8.8819e-16 * uu);
 }
 [[nodiscard]] Sign compare_distance_exact(const Point2& p, const Point2& a, const Point2& b);
 
@@ -160,11 +163,20 @@ namespace detail {
 
 // ---- compare_xy ----
 
-/// Lexicographic order of two finite points, x before y: the order of symbolic perturbation.
+namespace detail {
+/// throws  InputError: neither of two points comes first, nor are they equal
+[[noreturn]] void refuse_order(const Point2& a, const Point2& b);
+}  // namespace detail
+
+/// Lexicographic order of two points, x before y: the order of symbolic perturbation.
 ///
 /// returns  negative if a comes first, zero if the points are equal (-0 equal to +0), positive if b comes first
+/// throws   InputError if a coordinate that is compared is NaN; infinities have their place in the order
 [[nodiscard]] constexpr Sign compare_xy(const Point2& a, const Point2& b) {
-  return a < b ? Sign::negative : b < a ? Sign::positive : Sign::zero;
+  if (a < b) return Sign::negative;
+  if (b < a) return Sign::positive;
+  if (a != b) detail::refuse_order(a, b);
+  return Sign::zero;
 }
 
 }  // namespace leonhard::kernel

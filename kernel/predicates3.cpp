@@ -9,9 +9,10 @@
 
 #include "leonhard/kernel/arithmetic/exact_range.hpp"
 #include "leonhard/kernel/arithmetic/long_vector.hpp"
-#include "leonhard/kernel/arithmetic/pair.hpp"
 #include "leonhard/kernel/arithmetic/small_multiples.hpp"
+#include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/stages/exact.hpp"
+#include "leonhard/kernel/stages/finite.hpp"
 #include "leonhard/kernel/stages/integer_predicates.hpp"
 #include "leonhard/kernel/stages/stage.hpp"
 
@@ -43,7 +44,7 @@ auto insphere_determinant(const LongVec3<Number>& u, const LongVec3<Number>& v, 
 FilteredSign orient3d_double_double(const LongVec3<DoubleDouble>& u, const LongVec3<DoubleDouble>& v,
                                     const LongVec3<DoubleDouble>& w) {
   const double size = rounded_square(u) + rounded_square(v) + rounded_square(w);
-  return detail::sign_if_beyond(triple_product(u, v, w).high, 0x1.8p-104 * (size * std::sqrt(size)));
+  return sign_if_beyond(triple_product(u, v, w).high, 0x1.8p-104 * (size * std::sqrt(size)));
 }
 
 /// As insphere_filter. The vectors are exact; a product has errors of 4 * 7 u^2, its minor 3 u^2, and the sums
@@ -51,8 +52,7 @@ FilteredSign orient3d_double_double(const LongVec3<DoubleDouble>& u, const LongV
 FilteredSign insphere_double_double(const LongVec3<DoubleDouble>& u, const LongVec3<DoubleDouble>& v,
                                     const LongVec3<DoubleDouble>& w, const LongVec3<DoubleDouble>& t) {
   const double size = rounded_square(u) + rounded_square(v) + rounded_square(w) + rounded_square(t);
-  return detail::sign_if_beyond(insphere_determinant(u, v, w, t).high,
-                                0x1p-103 * (size * size * std::sqrt(size)));
+  return sign_if_beyond(insphere_determinant(u, v, w, t).high, 0x1p-103 * (size * size * std::sqrt(size)));
 }
 
 double rounded_insphere(const Vec3& u, const Vec3& v, const Vec3& w, const Vec3& t) {
@@ -67,6 +67,7 @@ bool in_a_plane_of_coordinates(const Point3& a, const Point3& b, const Point3& c
 }
 
 StagedSign orient3d_beyond_filter(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  detail::require_finite("orient3d", a, b, c, d);
   if (in_a_plane_of_coordinates(a, b, c, d)) return {Sign::zero, Stage::small_integer};
   const Vec3 to_b = b - a, to_c = c - a, to_d = d - a;
   const std::array differences{xy_of(to_b), xy_of(to_c), xy_of(to_d), Pair{to_b.z, to_c.z}, both(to_d.z)};
@@ -86,6 +87,7 @@ StagedSign orient3d_beyond_filter(const Point3& a, const Point3& b, const Point3
 
 StagedSign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                   const Point3& e) {
+  detail::require_finite("insphere", a, b, c, d, e);
   const Vec3 to_a = a - e, to_b = b - e, to_c = c - e, to_d = d - e;
   const std::array differences{xy_of(to_a), xy_of(to_b),          xy_of(to_c),
                                xy_of(to_d), Pair{to_a.z, to_b.z}, Pair{to_c.z, to_d.z}};
@@ -106,6 +108,8 @@ StagedSign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3
 }
 
 }  // namespace
+
+void detail::refuse_order(const Point3& a, const Point3& b) { refuse_not_finite("compare_xyz", a, b); }
 
 Sign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   return orient3d_beyond_filter(a, b, c, d).sign;
@@ -154,6 +158,7 @@ Sign insphere_tie(const Point3& a, const Point3& b, const Point3& c, const Point
 }
 
 Sign in_diametral_sphere_exact(const Point3& p, const Point3& a, const Point3& b) {
+  detail::require_finite("in_diametral_sphere", p, a, b);
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::in_diametral_sphere(p, a, b);
   return -dot(expanded(long_difference(points[1], points[0])),
@@ -162,6 +167,7 @@ Sign in_diametral_sphere_exact(const Point3& p, const Point3& a, const Point3& b
 }
 
 Sign compare_distance_exact(const Point3& p, const Point3& a, const Point3& b) {
+  detail::require_finite("compare_distance", p, a, b);
   std::array points{p, a, b};
   if (!fit(points, exact_window<2>)) return exact::compare_distance(p, a, b);
   const auto u = expanded(long_difference(points[1], points[0])),

@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "leonhard/kernel/arithmetic/pair.hpp"
+#include "leonhard/kernel/filtered_sign.hpp"
+#include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
-#include "leonhard/kernel/stages/filtered_sign.hpp"
 
 /// Geometric predicates of space, exact for every finite double, made like those of the plane in predicates.hpp:
 /// X_filter, inline, answers where a proven error bound allows it; X_exact, out of line, always; X tries the one and
-/// falls through to the other. NaN and infinities are outside the domain.
+/// falls through to the other. NaN and infinities: InputError, as there.
 ///
 /// filtered_sign.hpp has the notation of the error bounds.
 namespace leonhard::kernel {
@@ -35,7 +35,7 @@ namespace leonhard::kernel {
   const Pair first = v * uz * w_yx, second = u * vz * w_yx, third = u * swapped(v) * wz;
   const Pair sums = (first - second) + third;
   const Pair sizes = (absolute(first) + absolute(second)) + absolute(third);
-  return detail::sign_if_beyond(sums[0] - sums[1], 8.8819e-16 * (sizes[0] + sizes[1]), guard);
+  return sign_if_beyond(sums[0] - sums[1], 8.8819e-16 * (sizes[0] + sizes[1]), guard);
 }
 [[nodiscard]] Sign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
@@ -86,7 +86,7 @@ namespace leonhard::kernel {
   const Pair uwt_vwt = uv_z * uv_wt[1] - ut_vt * wt_z[0] + uw_vw * wt_z[1];
   const Pair uvw_uvt = wt_z * uv_wt[0] + seconds(ut_vw, uw_vt) * uv_z[0] - firsts(uw_vt, ut_vw) * uv_z[1];
   const Pair sums = swapped(uwt_vwt) * uv_square + swapped(uvw_uvt) * wt_square;
-  return detail::sign_if_beyond(sums[0] - sums[1], 0x1.8p-52 * (size * size * std::sqrt(size)));
+  return sign_if_beyond(sums[0] - sums[1], 0x1.8p-52 * (size * size * std::sqrt(size)));
 }
 [[nodiscard]] Sign insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                   const Point3& e);
@@ -104,7 +104,8 @@ namespace leonhard::kernel {
   return insphere_exact(a, b, c, d, e);
 }
 
-/// The sign of insphere(a, b, c, d, e) after a symbolic perturbation, for five points whose insphere is zero.
+/// The sign of insphere(a, b, c, d, e) after a symbolic perturbation, for five points whose insphere is zero: a
+/// precondition.
 [[nodiscard]] Sign insphere_tie(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                 const Point3& e);
 
@@ -132,7 +133,7 @@ namespace leonhard::kernel {
 [[nodiscard]] inline FilteredSign in_diametral_sphere_filter(const Point3& p, const Point3& a,
                                                              const Point3& b) {
   const double x = (a.x - p.x) * (p.x - b.x), y = (a.y - p.y) * (p.y - b.y), z = (a.z - p.z) * (p.z - b.z);
-  return detail::sign_if_beyond(x + y + z, 5.5512e-16 * (std::abs(x) + std::abs(y) + std::abs(z)));
+  return sign_if_beyond(x + y + z, 5.5512e-16 * (std::abs(x) + std::abs(y) + std::abs(z)));
 }
 [[nodiscard]] Sign in_diametral_sphere_exact(const Point3& p, const Point3& a, const Point3& b);
 
@@ -164,7 +165,7 @@ namespace leonhard::kernel {
 [[nodiscard]] inline FilteredSign compare_distance_filter(const Point3& p, const Point3& a, const Point3& b) {
   const Vec3 u = a - p, v = b - p;
   const double uu = dot(u, u);
-  return detail::sign_if_beyond(uu - dot(v, v), 1.1103e-15 * uu);
+  return sign_if_beyond(uu - dot(v, v), 1.1103e-15 * uu);
 }
 [[nodiscard]] Sign compare_distance_exact(const Point3& p, const Point3& a, const Point3& b);
 
@@ -180,11 +181,20 @@ namespace leonhard::kernel {
 
 // ---- compare_xyz ----
 
-/// Lexicographic order of two finite points, x before y before z: the order of symbolic perturbation.
+namespace detail {
+/// throws  InputError: neither of two points comes first, nor are they equal
+[[noreturn]] void refuse_order(const Point3& a, const Point3& b);
+}  // namespace detail
+
+/// Lexicographic order of two points, x before y before z: the order of symbolic perturbation.
 ///
 /// returns  negative if a comes first, zero if the points are equal (-0 equal to +0), positive if b comes first
+/// throws   InputError if a coordinate that is compared is NaN; infinities have their place in the order
 [[nodiscard]] constexpr Sign compare_xyz(const Point3& a, const Point3& b) {
-  return a < b ? Sign::negative : b < a ? Sign::positive : Sign::zero;
+  if (a < b) return Sign::negative;
+  if (b < a) return Sign::positive;
+  if (a != b) detail::refuse_order(a, b);
+  return Sign::zero;
 }
 
 }  // namespace leonhard::kernel

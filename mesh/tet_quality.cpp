@@ -7,7 +7,7 @@
 #include <numbers>
 #include <type_traits>
 
-#include "leonhard/kernel/arithmetic/double_double.hpp"
+#include "leonhard/kernel/double_double.hpp"
 
 namespace leonhard::mesh {
 namespace {

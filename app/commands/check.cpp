@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "leonhard/app/commands/commands.hpp"
@@ -85,16 +84,17 @@ ExitCode check(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      program.add_subcommand("check",
-                             "Euler's account, validity, Delaunay property, quality and "
-                             "fingerprint of a mesh of the plane or of space, or an account of "
-                             "points");
-  command->add_option("file", options->file, "A mesh file, or points")->required();
-  add_common_flags(*command, options->common, "Also write the report as JSON to this file");
-  command->callback([options, &code] { code = check(*options); });
+Command check_command() {
+  const auto options = std::make_shared<CheckOptions>();
+  Command command{.name = "check",
+                  .help =
+                      "Euler's account, validity, Delaunay property, quality and "
+                      "fingerprint of a mesh of the plane or of space, or an account of "
+                      "points",
+                  .options = {{"file", "A mesh file, or points", &options->file, true}},
+                  .run = [options] { return check(*options); }};
+  add_common_options(command, options->common, "Also write the report as JSON to this file");
+  return command;
 }
 
 }  // namespace leonhard::app

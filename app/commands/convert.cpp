@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -83,16 +82,16 @@ ExitCode convert(const ConvertOptions& options) {
 
 }  // namespace
 
-void add_convert(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = program.add_subcommand(
-      "convert",
-      "Read a mesh of the plane or of space in one format, write it in another; both by extension");
-  command->add_option("in", options->in, "Mesh to read")->required();
-  command->add_option("out", options->out, "Mesh to write")->required();
-  command->add_flag("--quiet", options->common.quiet, "No warnings about the file's oddities");
-  command->add_flag("--json", options->common.json, "One machine-readable report on stdout");
-  command->callback([options, &code] { code = convert(*options); });
+Command convert_command() {
+  const auto options = std::make_shared<ConvertOptions>();
+  return {
+      .name = "convert",
+      .help = "Read a mesh of the plane or of space in one format, write it in another; both by extension",
+      .options = {{"in", "Mesh to read", &options->in, true},
+                  {"out", "Mesh to write", &options->out, true},
+                  {"--quiet", "No warnings about the file's oddities", &options->common.quiet},
+                  {"--json", "One machine-readable report on stdout", &options->common.json}},
+      .run = [options] { return convert(*options); }};
 }
 
 }  // namespace leonhard::app

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -104,7 +103,7 @@ Json table_json(const std::vector<Ordered>& table) {
                     {"nonzeros", line.fill.nonzeros},
                     {"flops", line.fill.flops},
                     {"seconds", line.seconds},
-                    {"outcome", line.result.outcome == graph::OrderOutcome::done ? "done" : "stopped"}});
+                    {"outcome", to_string(line.result.outcome)}});
   return list;
 }
 
@@ -223,27 +222,33 @@ std::vector<std::string> method_names() {
 
 }  // namespace
 
-void add_order(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<OrderCommand>();
-  CLI::App* command = program.add_subcommand(
-      "order", "Number a mesh's or graph's vertices for a small bandwidth, envelope or fill");
-  command
-      ->add_option("input", options->input,
-                   "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)")
-      ->required();
-  std::vector<std::string> names = method_names();
-  command->add_option("--start", options->start, "The order that rosen improves")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
-  names.emplace_back("all");
-  command->add_option("--method", options->method, "How; all compares them")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
-  command->add_flag("--cells", options->cells, "Order the cells of a mesh, by its dual graph");
-  command->add_option("--picture", options->picture, "Draw the matrix's pattern as it is and as ordered");
-  add_common_flags(*command, options->common,
-                   "Write the renumbered mesh or .graph, or the order as .txt (old numbers in new sequence)");
-  command->callback([options, &code] { code = order_file(*options); });
+Command order_command() {
+  const auto options = std::make_shared<OrderCommand>();
+  const std::vector<std::string> methods = method_names();
+  std::vector<std::string> methods_and_all = methods;
+  methods_and_all.emplace_back("all");
+  Command command{
+      .name = "order",
+      .help = "Number a mesh's or graph's vertices for a small bandwidth, envelope or fill",
+      .options = {{"input", "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)",
+                   &options->input, true},
+                  {.names = "--start",
+                   .help = "The order that rosen improves",
+                   .target = &options->start,
+                   .shows_default = true,
+                   .choices = methods},
+                  {.names = "--method",
+                   .help = "How; all compares them",
+                   .target = &options->method,
+                   .shows_default = true,
+                   .choices = methods_and_all},
+                  {"--cells", "Order the cells of a mesh, by its dual graph", &options->cells},
+                  {"--picture", "Draw the matrix's pattern as it is and as ordered", &options->picture}},
+      .run = [options] { return order_file(*options); }};
+  add_common_options(
+      command, options->common,
+      "Write the renumbered mesh or .graph, or the order as .txt (old numbers in new sequence)");
+  return command;
 }
 
 }  // namespace leonhard::app

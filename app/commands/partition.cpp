@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -77,25 +76,26 @@ ExitCode partition_file(const PartitionCommand& command) {
 
 }  // namespace
 
-void add_partition(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<PartitionCommand>();
-  CLI::App* command = program.add_subcommand("partition", "Parts of equal size with few edges between them");
-  command
-      ->add_option("input", options->input,
-                   "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)")
-      ->required();
-  add_partition_options(*command, options->request);
-  command
-      ->add_option(
-          "--view", options->output.view,
-          "Of a picture of the plane: xmin,ymin,xmax,ymax; of space: azimuth,elevation of the viewer")
-      ->delimiter(',')
-      ->expected(2, 4);
-  command->add_option("--cut", options->output.cut,
-                      "Of a picture of tetrahedra: what is cut away, in the words of leonhard draw");
-  add_common_flags(*command, options->common,
-                   "One part a line (.txt), the mesh with its parts (.vtu), or a picture (.png .svg .pdf)");
-  command->callback([options, &code] { code = partition_file(*options); });
+Command partition_command() {
+  const auto options = std::make_shared<PartitionCommand>();
+  Command command{
+      .name = "partition",
+      .help = "Parts of equal size with few edges between them",
+      .options = {{"input", "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)",
+                   &options->input, true}},
+      .run = [options] { return partition_file(*options); }};
+  add_partition_options(command, options->request);
+  command.options.push_back(
+      {.names = "--view",
+       .help = "Of a picture of the plane: xmin,ymin,xmax,ymax; of space: azimuth,elevation of the viewer",
+       .target = &options->output.view,
+       .length = OptionLength{2, 4}});
+  command.options.push_back({"--cut",
+                             "Of a picture of tetrahedra: what is cut away, in the words of leonhard draw",
+                             &options->output.cut});
+  add_common_options(command, options->common,
+                     "One part a line (.txt), the mesh with its parts (.vtu), or a picture (.png .svg .pdf)");
+  return command;
 }
 
 }  // namespace leonhard::app

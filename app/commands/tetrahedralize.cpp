@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -155,7 +154,7 @@ ExitCode tetrahedralize(const TetrahedralizeCommand& command) {
   const bool done = result.outcome == delaunay::TetrahedralizeOutcome::done;
   const std::size_t distinct = done ? result.mesh.vertex_count() : count_distinct(points);
   Json report = {
-      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
+      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
   report.update(points3_account(points, distinct));
   report["expected_memory_bytes"] = expected;
   std::string words = why_no_tetrahedra(result.outcome, distinct);
@@ -187,34 +186,36 @@ std::vector<std::string> algorithm_names() {
 
 }  // namespace
 
-void add_tetrahedralize(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<TetrahedralizeCommand>();
+Command tetrahedralize_command() {
+  const auto options = std::make_shared<TetrahedralizeCommand>();
   options->common.output = "mesh.vtu";
-  CLI::App* command = program.add_subcommand(
-      "tetrahedralize", "The Delaunay tetrahedralisation of points of space, filling their convex hull");
-  command
-      ->add_option("points", options->input,
+  Command command{
+      .name = "tetrahedralize",
+      .help = "The Delaunay tetrahedralisation of points of space, filling their convex hull",
+      .options = {{"points",
                    "Points (.node .xyz .csv .txt), or a surface (.off .obj .stl .ply .mesh .msh .poly "
                    ".smesh), of which "
-                   "the vertices are taken")
-      ->required();
-  command
-      ->add_option("--algorithm", options->algorithm,
-                   "The way to the tetrahedralisation, which is the same for all")
-      ->check(CLI::IsMember(algorithm_names()))
-      ->capture_default_str();
-  command
-      ->add_option("--memory-limit", options->memory_limit,
-                   "Refuse, before any work, points that need more; bytes, or as 4GB; 0: no limit")
-      ->transform(CLI::AsSizeValue(false))
-      ->capture_default_str();
-  command->add_flag("--no-check", options->no_check,
-                    "Leave out Euler's account, validity and quality, which take about as long as the mesh");
-  add_common_flags(
-      *command, options->common,
+                   "the vertices are taken",
+                   &options->input, true},
+                  {.names = "--algorithm",
+                   .help = "The way to the tetrahedralisation, which is the same for all",
+                   .target = &options->algorithm,
+                   .shows_default = true,
+                   .choices = algorithm_names()},
+                  {.names = "--memory-limit",
+                   .help = "Refuse, before any work, points that need more; bytes, or as 4GB; 0: no limit",
+                   .target = &options->memory_limit,
+                   .shows_default = true,
+                   .rule = OptionRule::bytes},
+                  {"--no-check",
+                   "Leave out Euler's account, validity and quality, which take about as long as the mesh",
+                   &options->no_check}},
+      .run = [options] { return tetrahedralize(*options); }};
+  add_common_options(
+      command, options->common,
       "The mesh (.vtu .su2 .msh .mesh .node .ele) or a picture of it, cut open (.png .svg .pdf); default "
       "mesh.vtu");
-  command->callback([options, &code] { code = tetrahedralize(*options); });
+  return command;
 }
 
 }  // namespace leonhard::app

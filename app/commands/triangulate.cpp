@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -94,7 +93,7 @@ ExitCode triangulate(const TriangulateCommand& command) {
   for (const std::string& warning : input.warnings) console.warning(warning);
 
   Json report = {
-      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
+      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
   const Json account = points_account(input.pslg.points);
   report.update(account);
   const std::string words = why_no_triangles(
@@ -122,25 +121,26 @@ std::vector<std::string> algorithm_names() {
 
 }  // namespace
 
-void add_triangulate(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<TriangulateCommand>();
+Command triangulate_command() {
+  const auto options = std::make_shared<TriangulateCommand>();
   options->common.output = "mesh.su2";
-  CLI::App* command = program.add_subcommand(
-      "triangulate", "The Delaunay triangulation of points, constrained where there are segments");
-  command
-      ->add_option("points", options->input, "Points (.node .xy .csv .txt .json .geojson) or a PSLG (.poly)")
-      ->required();
-  command
-      ->add_option("--algorithm", options->algorithm,
-                   "The way to the triangulation, which is the same for all")
-      ->check(CLI::IsMember(algorithm_names()))
-      ->capture_default_str();
-  command->add_flag(
-      "--convex-hull", options->convex_hull,
-      "PSLG: keep the convex hull, carving holes only; otherwise all outside the segments goes");
-  add_common_flags(*command, options->common,
-                   "The mesh file; its extension is its format (default mesh.su2)");
-  command->callback([options, &code] { code = triangulate(*options); });
+  Command command{
+      .name = "triangulate",
+      .help = "The Delaunay triangulation of points, constrained where there are segments",
+      .options = {{"points", "Points (.node .xy .csv .txt .json .geojson) or a PSLG (.poly)", &options->input,
+                   true},
+                  {.names = "--algorithm",
+                   .help = "The way to the triangulation, which is the same for all",
+                   .target = &options->algorithm,
+                   .shows_default = true,
+                   .choices = algorithm_names()},
+                  {"--convex-hull",
+                   "PSLG: keep the convex hull, carving holes only; otherwise all outside the segments goes",
+                   &options->convex_hull}},
+      .run = [options] { return triangulate(*options); }};
+  add_common_options(command, options->common,
+                     "The mesh file; its extension is its format (default mesh.su2)");
+  return command;
 }
 
 }  // namespace leonhard::app

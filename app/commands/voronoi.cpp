@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -156,27 +155,33 @@ ExitCode voronoi(const VoronoiCommand& command) {
 
 }  // namespace
 
-void add_voronoi(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<VoronoiCommand>();
+Command voronoi_command() {
+  const auto options = std::make_shared<VoronoiCommand>();
   options->common.output = "voronoi.png";
-  CLI::App* command = program.add_subcommand(
-      "voronoi", "The Voronoi diagram of points, its cells clipped to a box, with areas");
-  command->add_option("points", options->points, "Points (.node .xy .csv .txt .json .geojson)")->required();
-  command->add_option("--box", options->box, "xmin,ymin,xmax,ymax; otherwise the points' box and a margin")
-      ->delimiter(',')
-      ->expected(4);
-  command->add_flag("--sites", options->sites, "Picture: show the sites");
-  command->add_option("--fill", options->fill, "Picture: colour of the cells")
-      ->check(CLI::IsMember({"none", "area"}))
-      ->capture_default_str();
-  command->add_option("--size", options->size, "Picture: width,height in pixels")
-      ->delimiter(',')
-      ->capture_default_str();
-  command->add_option("--title", options->title, "Title of the picture");
-  add_common_flags(
-      *command, options->common,
+  Command command{
+      .name = "voronoi",
+      .help = "The Voronoi diagram of points, its cells clipped to a box, with areas",
+      .options = {{"points", "Points (.node .xy .csv .txt .json .geojson)", &options->points, true},
+                  {.names = "--box",
+                   .help = "xmin,ymin,xmax,ymax; otherwise the points' box and a margin",
+                   .target = &options->box,
+                   .length = OptionLength{4, 4}},
+                  {"--sites", "Picture: show the sites", &options->sites},
+                  {.names = "--fill",
+                   .help = "Picture: colour of the cells",
+                   .target = &options->fill,
+                   .shows_default = true,
+                   .choices = {"none", "area"}},
+                  {.names = "--size",
+                   .help = "Picture: width,height in pixels",
+                   .target = &options->size,
+                   .shows_default = true},
+                  {"--title", "Title of the picture", &options->title}},
+      .run = [options] { return voronoi(*options); }};
+  add_common_options(
+      command, options->common,
       "A picture (.png .svg .pdf), or the clipped cells with areas (.vtu .json); default voronoi.png");
-  command->callback([options, &code] { code = voronoi(*options); });
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -51,20 +51,6 @@ Json to_json(const AreaAccount& area) {
 
 namespace {
 
-std::string_view word(delaunay::RefineOutcome outcome) {
-  switch (outcome) {
-    case delaunay::RefineOutcome::achieved:
-      return "achieved";
-    case delaunay::RefineOutcome::small_angles_left:
-      return "small_angles_left";
-    case delaunay::RefineOutcome::vertex_budget_spent:
-      return "vertex_budget_spent";
-    case delaunay::RefineOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
-}
-
 Json ordering_json(const SolveRun& run) {
   Json list = Json::array();
   for (const Numbering& numbering : run.numberings) {
@@ -79,7 +65,7 @@ Json ordering_json(const SolveRun& run) {
 
 Json partition_json(const SolveRun& run) {
   const graph::PartitionCost& cost = run.partition_cost;
-  return {{"method", graph::name_of(run.the_case.partitioning)},
+  return {{"method", to_string(run.the_case.partitioning)},
           {"parts", run.triangle_parts.parts},
           {"cut", cost.cut},
           {"imbalance", cost.imbalance},
@@ -121,7 +107,7 @@ std::string compiler() {
 }  // namespace
 
 Json to_json(const delaunay::RefineReport& report) {
-  return {{"outcome", word(report.outcome)},
+  return {{"outcome", to_string(report.outcome)},
           {"inserted", report.inserted},
           {"segment_splits", report.segment_splits},
           {"rounded_splits", report.rounded_splits},

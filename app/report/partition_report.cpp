@@ -12,7 +12,7 @@ Json partition_report(const graph::Partition& partition, const graph::PartitionC
   return {{"method", request.method},
           {"effort", request.effort},
           {"parts", partition.parts},
-          {"outcome", word(partition.outcome)},
+          {"outcome", to_string(partition.outcome)},
           {"cut", cost.cut},
           {"cut_weight", cost.cut_weight},
           {"imbalance", cost.imbalance},

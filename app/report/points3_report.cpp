@@ -15,22 +15,6 @@ namespace leonhard::app {
 
 using delaunay::TetrahedralizeOutcome;
 
-std::string word(TetrahedralizeOutcome outcome) {
-  switch (outcome) {
-    case TetrahedralizeOutcome::done:
-      return "done";
-    case TetrahedralizeOutcome::too_few_points:
-      return "too_few_points";
-    case TetrahedralizeOutcome::all_collinear:
-      return "all_collinear";
-    case TetrahedralizeOutcome::all_coplanar:
-      return "all_coplanar";
-    case TetrahedralizeOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
-}
-
 std::string why_no_tetrahedra(TetrahedralizeOutcome outcome, std::size_t distinct_points) {
   switch (outcome) {
     case TetrahedralizeOutcome::done:
@@ -78,7 +62,7 @@ Json points3_report(std::span<const Point3> points, const delaunay::Tetrahedrali
   Json report = points3_account(points, done ? result.mesh.vertex_count() : count_distinct(points));
   std::set<VertexId> hull;
   for (const MarkedFace& face : result.mesh.boundary) hull.insert(face.corners.begin(), face.corners.end());
-  report["outcome"] = word(result.outcome);
+  report["outcome"] = to_string(result.outcome);
   report["tetrahedra"] = result.mesh.tet_count();
   report["hull_faces"] = done ? Json(result.mesh.boundary.size()) : Json(nullptr);
   report["hull_points"] = done ? Json(hull.size()) : Json(nullptr);

@@ -10,9 +10,6 @@
 
 namespace leonhard::app {
 
-/// "done", "too_few_points", "all_collinear", "all_coplanar" or "stopped".
-[[nodiscard]] std::string word(delaunay::TetrahedralizeOutcome outcome);
-
 /// Why there is no tetrahedralisation, in words, with what to do; "" where there is one.
 [[nodiscard]] std::string why_no_tetrahedra(delaunay::TetrahedralizeOutcome outcome,
                                             std::size_t distinct_points);

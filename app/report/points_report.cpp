@@ -8,27 +8,12 @@
 #include <vector>
 
 #include "leonhard/app/console.hpp"
-#include "leonhard/delaunay/order/sorted_points.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 
 namespace leonhard::app {
 
 using delaunay::TriangulateOutcome;
-
-std::string word(TriangulateOutcome outcome) {
-  switch (outcome) {
-    case TriangulateOutcome::done:
-      return "done";
-    case TriangulateOutcome::too_few_points:
-      return "too_few_points";
-    case TriangulateOutcome::all_collinear:
-      return "all_collinear";
-    case TriangulateOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
-}
 
 std::string why_no_triangles(TriangulateOutcome outcome, std::size_t distinct_points) {
   switch (outcome) {
@@ -46,9 +31,19 @@ std::string why_no_triangles(TriangulateOutcome outcome, std::size_t distinct_po
   return "";
 }
 
+namespace {
+
+std::size_t count_distinct(std::span<const Point2> points) {
+  std::vector<Point2> sorted(points.begin(), points.end());
+  std::sort(sorted.begin(), sorted.end());
+  return static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+}
+
+}  // namespace
+
 Json points_account(std::span<const Point2> points) {
   if (points.empty()) return {{"points", 0}, {"duplicates", 0}, {"box", nullptr}};
-  const std::size_t distinct = delaunay::sort_and_merge(points).points.size();
+  const std::size_t distinct = count_distinct(points);
   Point2 low = points.front(), high = low;
   for (const Point2 p : points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -67,7 +62,7 @@ Json points_report(std::span<const Point2> points, const delaunay::AlgorithmOpti
   triangulate.progress = options.progress;
   const auto result = delaunay::triangulate(std::vector<Point2>(points.begin(), points.end()), triangulate);
   const bool done = result.outcome == TriangulateOutcome::done;
-  report["outcome"] = word(result.outcome);
+  report["outcome"] = to_string(result.outcome);
   // One point or two lie on a line as well.
   report["collinear"] = !done && result.outcome != TriangulateOutcome::stopped;
   report["triangles"] = result.mesh.triangle_count();

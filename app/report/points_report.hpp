@@ -10,9 +10,6 @@
 
 namespace leonhard::app {
 
-/// "done", "too_few_points", "all_collinear" or "stopped".
-[[nodiscard]] std::string word(delaunay::TriangulateOutcome outcome);
-
 /// Why there is no triangulation, in words, with what to do; "" where there is one.
 [[nodiscard]] std::string why_no_triangles(delaunay::TriangulateOutcome outcome, std::size_t distinct_points);
 

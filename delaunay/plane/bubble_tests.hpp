@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "leonhard/kernel/arithmetic/pair.hpp"
+#include "leonhard/kernel/filtered_sign.hpp"
+#include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/predicates.hpp"
-#include "leonhard/kernel/stages/filtered_sign.hpp"
 
 namespace leonhard::delaunay {
 
@@ -53,14 +53,14 @@ class BubbleTests {
 
   /// Does the candidate lie above the base edge, strictly to its left?
   [[nodiscard]] bool is_above(Side side) const {
-    const FilteredSign s = kernel::detail::sign_if_beyond(turn_[side], turn_bound_[side]);
+    const FilteredSign s = kernel::sign_if_beyond(turn_[side], turn_bound_[side]);
     if (s.is_certain()) [[likely]]
       return *s == Sign::positive;
     return kernel::orient2d(at_.l, at_.r, at_.candidate[side]) == Sign::positive;
   }
   /// Does the circle through base and candidate, which is above, hold the point behind?
   [[nodiscard]] bool holds_behind(Side side) const {
-    const FilteredSign s = kernel::detail::sign_if_beyond(circle_[side], circle_bound_[side]);
+    const FilteredSign s = kernel::sign_if_beyond(circle_[side], circle_bound_[side]);
     if (s.is_certain()) [[likely]]
       return *s == Sign::positive;
     return holds(at_.candidate[side], at_.behind[side]);
@@ -70,7 +70,7 @@ class BubbleTests {
     const double candidates = x_[0] * y_[1] - y_[0] * x_[1];
     const double circle = square_[0] * turn_[1] - base_square_ * candidates - square_[1] * turn_[0];
     const double size = base_square_ + square_[0] + square_[1];
-    const FilteredSign s = kernel::detail::sign_if_beyond(circle, 0x1p-51 * (size * size));
+    const FilteredSign s = kernel::sign_if_beyond(circle, 0x1p-51 * (size * size));
     if (s.is_certain()) [[likely]]
       return *s == Sign::positive;
     return holds(at_.candidate[left], at_.candidate[right]);

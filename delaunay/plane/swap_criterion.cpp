@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "leonhard/delaunay/plane/exact_triangle.hpp"
+#include "leonhard/kernel/filtered_sign.hpp"
 #include "leonhard/kernel/predicates.hpp"
-#include "leonhard/kernel/stages/filtered_sign.hpp"
 #include "leonhard/mesh/exact_sum.hpp"
 
 namespace leonhard::delaunay::criterion {
@@ -91,7 +91,7 @@ mpq_class exact_squared_distance(const Point2& p, const Point2& q) {
 /// Is pq shorter than rs? 4 roundings in each squared length; 1e-15 is 9u.
 bool is_shorter(const Point2& p, const Point2& q, const Point2& r, const Point2& s) {
   const double pq = dot(q - p, q - p), rs = dot(s - r, s - r);
-  if (const auto sign = kernel::detail::sign_if_beyond(pq - rs, 1e-15 * (pq + rs)); sign.is_certain())
+  if (const auto sign = kernel::sign_if_beyond(pq - rs, 1e-15 * (pq + rs)); sign.is_certain())
     return *sign == Sign::negative;
   return exact_squared_distance(p, q) < exact_squared_distance(r, s);
 }

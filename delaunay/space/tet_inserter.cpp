@@ -34,7 +34,7 @@ constexpr std::size_t largest_table = 256;
 
 TetInserter::TetInserter(TetArena& arena, VertexRange owned, TetId hint)
     : arena_(arena),
-      spheres_(kernel::detail::best_batch_filters().spheres),
+      spheres_(kernel::spheres_filter()),
       owned_(owned),
       restricted_(owned.end - owned.begin < arena.nodes.size()),
       hint_(hint) {

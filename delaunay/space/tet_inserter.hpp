@@ -88,7 +88,7 @@ class TetInserter {
   void link_by_sorting();
 
   TetArena& arena_;
-  const kernel::detail::SpheresFilter spheres_;
+  const kernel::SpheresFilter spheres_;
   VertexRange owned_;
   bool restricted_;
   TetId hint_;

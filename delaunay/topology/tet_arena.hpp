@@ -7,14 +7,19 @@
 #include <vector>
 
 #include "leonhard/delaunay/topology/ghost_tetrahedralization.hpp"
-#include "leonhard/kernel/batch/batch_filters.hpp"
+#include "leonhard/kernel/point.hpp"
+#include "leonhard/kernel/spheres_filter.hpp"
 #include "leonhard/mesh/id.hpp"
 
 namespace leonhard::delaunay {
 
 /// A point of an incremental construction with the notes that the cavity now open keeps at it: which cavity it is, and the
-/// vertex' number on its walls.
-using TetNode = kernel::detail::PaddedPoint3;
+/// vertex' number on its walls. A record of a kernel::SpheresFilter.
+struct alignas(kernel::sphere_record_bytes) TetNode {
+  Point3 point;
+  std::uint32_t notes[2] = {};
+};
+static_assert(sizeof(TetNode) == kernel::sphere_record_bytes);
 
 /// What an insertion knows of a tetrahedron while its cavity is open. The mark is kept in the top bits of corner 3, since
 /// whoever wants to know it will next want the corners; between insertions there are none.

@@ -5,10 +5,10 @@
 #include <limits>
 #include <type_traits>
 
-#include "leonhard/kernel/arithmetic/double_double.hpp"
 #include "leonhard/kernel/arithmetic/expansion.hpp"
+#include "leonhard/kernel/double_double.hpp"
+#include "leonhard/kernel/filtered_sign.hpp"
 #include "leonhard/kernel/sign.hpp"
-#include "leonhard/kernel/stages/filtered_sign.hpp"
 
 /// Interval arithmetic in the form value and radius, which needs no directed rounding.
 ///
@@ -19,7 +19,7 @@ namespace leonhard::kernel {
 
 /// A real number no farther than `radius` from `value`, which is a double or a DoubleDouble.
 template <class Value>
-struct Ball {
+struct NumberBall {
   Value value;
   double radius;
 };
@@ -44,12 +44,12 @@ struct Rounding<DoubleDouble> {
 [[nodiscard]] inline double leading(DoubleDouble x) { return x.high; }
 
 template <class Value>
-[[nodiscard]] double magnitude(const Ball<Value>& x) {
+[[nodiscard]] double magnitude(const NumberBall<Value>& x) {
   return std::abs(leading(x.value));
 }
 
 template <class Value>
-[[nodiscard]] bool is_exactly_zero(const Ball<Value>& x) {
+[[nodiscard]] bool is_exactly_zero(const NumberBall<Value>& x) {
   return leading(x.value) == 0 && x.radius == 0;
 }
 
@@ -58,15 +58,15 @@ template <class Value>
 [[nodiscard]] inline double inflated(double radius) { return radius * (1 + 0x1p-40); }
 
 template <class Value>
-[[nodiscard]] Ball<Value> operator+(const Ball<Value>& x, const Ball<Value>& y) {
-  Ball<Value> sum{x.value + y.value, x.radius + y.radius};
+[[nodiscard]] NumberBall<Value> operator+(const NumberBall<Value>& x, const NumberBall<Value>& y) {
+  NumberBall<Value> sum{x.value + y.value, x.radius + y.radius};
   sum.radius += detail::Rounding<Value>::sum * detail::magnitude(sum);
   return sum;
 }
 
 template <class Value>
-[[nodiscard]] Ball<Value> operator-(const Ball<Value>& x, const Ball<Value>& y) {
-  Ball<Value> difference{x.value - y.value, x.radius + y.radius};
+[[nodiscard]] NumberBall<Value> operator-(const NumberBall<Value>& x, const NumberBall<Value>& y) {
+  NumberBall<Value> difference{x.value - y.value, x.radius + y.radius};
   difference.radius += detail::Rounding<Value>::sum * detail::magnitude(difference);
   return difference;
 }
@@ -74,12 +74,12 @@ template <class Value>
 /// What underflows, in the product or its radius, loses less than the guard. Zero stays exact in DoubleDoubles, so that
 /// a crossing with a line along an axis is known to lie on it.
 template <class Value>
-[[nodiscard]] Ball<Value> operator*(const Ball<Value>& x, const Ball<Value>& y) {
+[[nodiscard]] NumberBall<Value> operator*(const NumberBall<Value>& x, const NumberBall<Value>& y) {
   if constexpr (std::is_same_v<Value, DoubleDouble>) {
     if (detail::is_exactly_zero(x)) return x;
     if (detail::is_exactly_zero(y)) return y;
   }
-  Ball<Value> product{x.value * y.value, 0};
+  NumberBall<Value> product{x.value * y.value, 0};
   product.radius = detail::magnitude(x) * y.radius + (detail::magnitude(y) + y.radius) * x.radius +
                    (detail::Rounding<Value>::product * detail::magnitude(product) + detail::underflow_guard);
   return product;
@@ -87,14 +87,15 @@ template <class Value>
 
 /// The quotient; its radius comes from the remainder x - q y, whatever the roundings of q were: the error of q is the
 /// remainder divided by y, and |y| >= |y.value| / 2 if the radius of y is below a quarter of that.
-[[nodiscard]] inline Ball<DoubleDouble> operator/(const Ball<DoubleDouble>& x, const Ball<DoubleDouble>& y) {
+[[nodiscard]] inline NumberBall<DoubleDouble> operator/(const NumberBall<DoubleDouble>& x,
+                                                        const NumberBall<DoubleDouble>& y) {
   if (detail::is_exactly_zero(x)) return x;
   const double divisor = y.value.high;
-  const auto remainder = [&](DoubleDouble q) { return x - y * Ball<DoubleDouble>{q, 0}; };
+  const auto remainder = [&](DoubleDouble q) { return x - y * NumberBall<DoubleDouble>{q, 0}; };
   const double first = x.value.high / divisor;
   const double second = remainder({{first, 0}}).value.high / divisor;
   const DoubleDouble quotient{two_sum(first, second)};
-  const Ball<DoubleDouble> rest = remainder(quotient);
+  const NumberBall<DoubleDouble> rest = remainder(quotient);
   if (!(y.radius < std::abs(divisor) / 4)) return {quotient, std::numeric_limits<double>::infinity()};
   return {quotient, (detail::magnitude(rest) * (1 + 0x1p-50) + rest.radius) / (std::abs(divisor) / 2) +
                         detail::underflow_guard};
@@ -102,7 +103,7 @@ template <class Value>
 
 /// The sign, unless 0 is in the ball or not known not to be.
 template <class Value>
-[[nodiscard]] FilteredSign certain_sign(const Ball<Value>& x) {
+[[nodiscard]] FilteredSign certain_sign(const NumberBall<Value>& x) {
   if (detail::magnitude(x) > inflated(x.radius)) return FilteredSign(sign_of(detail::leading(x.value)));
   return {};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "leonhard/kernel/arithmetic/double_double.hpp"
 #include "leonhard/kernel/arithmetic/expansion.hpp"
+#include "leonhard/kernel/double_double.hpp"
 #include "leonhard/kernel/point.hpp"
 
 /// Vectors of longer numbers, double-double ones or expansions: what the predicates' later stages compute

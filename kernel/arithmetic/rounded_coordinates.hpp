@@ -12,13 +12,14 @@
 #include "leonhard/kernel/arithmetic/exact_numbers.hpp"
 #include "leonhard/kernel/arithmetic/homogeneous.hpp"
 #include "leonhard/kernel/arithmetic/nearest_double.hpp"
+#include "leonhard/kernel/stages/finite.hpp"
 #include "leonhard/kernel/stages/point_ref.hpp"
 
 namespace leonhard::kernel {
 
 /// The double to which all numbers of a ball round, if there is one. Rounding keeps order, so it is enough that both
 /// ends do, moved outwards by a step each for the rounding of low - radius and low + radius.
-[[nodiscard]] inline std::optional<double> certain_rounding(const Ball<DoubleDouble>& x) {
+[[nodiscard]] inline std::optional<double> certain_rounding(const NumberBall<DoubleDouble>& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto [high, low] = x.value;
   if (x.radius == 0) return high + low;
@@ -50,6 +51,7 @@ struct RoundedCoordinates {
 template <class Point>
 [[nodiscard]] RoundedCoordinates<Point> rounded_coordinates(const PointRef<Point>& p) {
   constexpr double largest = std::numeric_limits<double>::max();
+  if (p.is_explicit()) detail::require_finite("rounded", p.explicit_point());
   RoundedCoordinates<Point> rounded{{}, 0};
   const Coordinates<Point> balls = p.coordinates();
   for (std::size_t axis = 0; axis < balls.size(); ++axis) {

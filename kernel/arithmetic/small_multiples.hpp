@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "leonhard/kernel/arithmetic/pair.hpp"
+#include "leonhard/kernel/pair.hpp"
 
 /// When a determinant needs no error bound: among points of a coarse grid floating-point arithmetic is exact.
 namespace leonhard::kernel {

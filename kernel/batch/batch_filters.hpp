@@ -10,6 +10,7 @@
 
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/sign.hpp"
+#include "leonhard/kernel/spheres_filter.hpp"
 
 namespace leonhard::kernel::detail {
 
@@ -23,17 +24,6 @@ struct BatchFilter {
   void (*one_against_many)(const Point* one, const Point* points, const std::uint32_t* ids, std::size_t count,
                            Sign* signs);
 };
-
-/// A point of space with room for its owner's notes: 32 bytes, which never lie in two cache lines.
-struct alignas(32) PaddedPoint3 {
-  Point3 point;
-  std::uint32_t notes[2] = {};
-};
-
-/// The filter of insphere(a, b, c, d, p) for one p and many tetrahedra a, b, c, d, whose ids lie side by side. signs as in
-/// BatchFilter.
-using SpheresFilter = void (*)(const Point3& p, const PaddedPoint3* points, const std::uint32_t* ids,
-                               std::size_t count, Sign* signs);
 
 /// One build of the filters.
 struct BatchFilters {

@@ -176,8 +176,9 @@ void filter_one_against_many(const typename Filter::Point* one, const typename F
 }
 
 /// The vectors from p to a, b, c, d take the place of those from the first point: to put p first is an even permutation.
-void filter_spheres(const Point3& p, const detail::PaddedPoint3* points, const std::uint32_t* ids,
-                    std::size_t count, Sign* signs) {
+void filter_spheres(const Point3& p, const void* records, const std::uint32_t* ids, std::size_t count,
+                    Sign* signs) {
+  const auto* const points = static_cast<const PointRecord*>(records);
   const Rows3 from = equal_rows(p);
   filter_all<4>(ids, count, signs, [=](const std::uint32_t* these) LEONHARD_INLINE_LAMBDA {
     return InsphereFilter::filter(

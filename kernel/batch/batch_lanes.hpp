@@ -103,7 +103,16 @@ LEONHARD_INLINE HalfLanes xy_row(const Point& point) {
   return xy;
 }
 LEONHARD_INLINE double z_of(const Point3& point) { return point.z; }
-LEONHARD_INLINE double z_of(const detail::PaddedPoint3& point) { return point.point.z; }
+
+/// A record of a SpheresFilter, which begins with a point.
+struct PointRecord {
+  unsigned char bytes[sphere_record_bytes];
+};
+LEONHARD_INLINE double z_of(const PointRecord& record) {
+  double z;
+  std::memcpy(&z, record.bytes + offsetof(Point3, z), sizeof z);
+  return z;
+}
 
 #if defined(__AVX2__)
 

@@ -40,7 +40,7 @@ std::string words(std::span<const Point> points) {
 
 /// Numbers as exact_numbers.hpp describes them, but balls.
 struct Balls {
-  using Number = Ball<DoubleDouble>;
+  using Number = NumberBall<DoubleDouble>;
   [[nodiscard]] Number difference(double a, double b) const { return {{two_difference(a, b)}, 0}; }
   [[nodiscard]] Number one() const { return {{{1, 0}}, 0}; }
 };
@@ -64,7 +64,7 @@ Located<Point> locate_unscaled(std::span<const Point> defining) {
   const auto p = homogeneous(Balls{}, defining);
   Located<Point> located{{}, certain_sign(p.weight).is_certain()};
   for (std::size_t i = 0; i < located.coordinates.size(); ++i) {
-    const Ball<DoubleDouble> base{{{coordinate(p.base, i), 0}}, 0};
+    const NumberBall<DoubleDouble> base{{{coordinate(p.base, i), 0}}, 0};
     located.coordinates[i] = base + p.offset[i] / p.weight;
     located.coordinates[i].radius = inflated(located.coordinates[i].radius);
   }
@@ -72,7 +72,7 @@ Located<Point> locate_unscaled(std::span<const Point> defining) {
 }
 
 /// x 2^exponent; the ball grows by what underflows, and beyond the range of doubles it is the whole line.
-Ball<DoubleDouble> scaled(const Ball<DoubleDouble>& x, int exponent) {
+NumberBall<DoubleDouble> scaled(const NumberBall<DoubleDouble>& x, int exponent) {
   if (detail::is_exactly_zero(x)) return x;
   const DoubleDouble value{{std::scalbn(x.value.high, exponent), std::scalbn(x.value.low, exponent)}};
   if (!std::isfinite(value.high)) return {{}, std::numeric_limits<double>::infinity()};

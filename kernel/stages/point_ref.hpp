@@ -6,15 +6,15 @@
 #include <span>
 
 #include "leonhard/kernel/arithmetic/ball.hpp"
-#include "leonhard/kernel/arithmetic/double_double.hpp"
 #include "leonhard/kernel/arithmetic/homogeneous.hpp"
+#include "leonhard/kernel/double_double.hpp"
 #include "leonhard/kernel/point.hpp"
 
 namespace leonhard::kernel {
 
 /// A point's coordinates to about 100 bits, with what is not known of them.
 template <class Point>
-using Coordinates = std::array<Ball<DoubleDouble>, dimension<Point>>;
+using Coordinates = std::array<NumberBall<DoubleDouble>, dimension<Point>>;
 
 /// The words in which an intersection that does not exist is refused.
 struct Refusal {
@@ -53,7 +53,7 @@ class PointRef {
   [[nodiscard]] std::span<const Point> defining_points() const { return defining_; }
   [[nodiscard]] const Point& explicit_point() const { return defining_[0]; }
 
-  [[nodiscard]] Ball<DoubleDouble> coordinate(std::size_t axis) const {
+  [[nodiscard]] NumberBall<DoubleDouble> coordinate(std::size_t axis) const {
     if (!is_explicit()) return (*coordinates_)[axis];
     return {{{kernel::coordinate(explicit_point(), axis), 0}}, 0};
   }

@@ -13,6 +13,7 @@
 #include "leonhard/kernel/arithmetic/exact_numbers.hpp"
 #include "leonhard/kernel/arithmetic/homogeneous.hpp"
 #include "leonhard/kernel/sign.hpp"
+#include "leonhard/kernel/stages/finite.hpp"
 #include "leonhard/kernel/stages/point_ref.hpp"
 #include "leonhard/kernel/stages/stage.hpp"
 
@@ -27,13 +28,13 @@ namespace leonhard::kernel {
 
 // ---- balls ----
 
-[[nodiscard]] inline Ball<double> difference_as(const Ball<DoubleDouble>& a, const Ball<DoubleDouble>& b,
-                                                double) {
+[[nodiscard]] inline NumberBall<double> difference_as(const NumberBall<DoubleDouble>& a,
+                                                      const NumberBall<DoubleDouble>& b, double) {
   const double high = a.value.high - b.value.high, low = a.value.low - b.value.low, value = high + low;
   return {value, a.radius + b.radius + 0x1p-53 * (std::abs(high) + std::abs(low) + std::abs(value))};
 }
-[[nodiscard]] inline Ball<DoubleDouble> difference_as(const Ball<DoubleDouble>& a,
-                                                      const Ball<DoubleDouble>& b, DoubleDouble) {
+[[nodiscard]] inline NumberBall<DoubleDouble> difference_as(const NumberBall<DoubleDouble>& a,
+                                                            const NumberBall<DoubleDouble>& b, DoubleDouble) {
   return a - b;
 }
 
@@ -52,9 +53,9 @@ template <class Value, class Point, std::size_t Count>
   constexpr std::size_t size = dimension<Point>;
   constexpr bool lift = Count == size + 2;
   const Coordinates<Point> reference = points[Count - 1].coordinates();
-  std::array<Vector<Ball<Value>, Count - 1>, Count - 1> rows;
+  std::array<Vector<NumberBall<Value>, Count - 1>, Count - 1> rows;
   for (std::size_t i = 0; i + 1 < Count; ++i) {
-    Vector<Ball<Value>, size> v;
+    Vector<NumberBall<Value>, size> v;
     for (std::size_t axis = 0; axis < size; ++axis)
       v[axis] = difference_as(points[i].coordinate(axis), reference[axis], Value{});
     if constexpr (lift)
@@ -101,8 +102,10 @@ template <class Point, class Evaluate>
 [[nodiscard]] StagedSign evaluate_exactly(std::span<Point> points, int degree, Stage first,
                                           Evaluate evaluate) {
   BitRange bits;
-  for (Point& p : points)
+  for (Point& p : points) {
+    detail::require_finite("predicate of implicit points", p);
     for (const double* x : coordinates(p)) bits.include(*x);
+  }
   const std::optional<int> shift = expansion_shift(bits, degree);
   if (!shift || first == Stage::rational) return {evaluate(Integers{bits.lowest}), Stage::rational};
   if (*shift != 0)
@@ -178,6 +181,9 @@ template <class Point, std::size_t Count>
 [[nodiscard]] StagedSign determinant_sign(const std::array<PointRef<Point>, Count>& points, Stage first) {
   if (first == Stage::filter)
     if (const FilteredSign s = ball_sign<double>(points); s.is_certain()) return {*s, Stage::filter};
+  // Zero is exact in DoubleDoubles, whatever it is multiplied by.
+  for (const PointRef<Point>& p : points)
+    detail::require_finite("predicate of implicit points", p.defining_points()[0]);
   if (first <= Stage::double_double)
     if (const FilteredSign s = ball_sign<DoubleDouble>(points); s.is_certain())
       return {*s, Stage::double_double};

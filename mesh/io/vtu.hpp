@@ -15,9 +15,9 @@ namespace leonhard {
 
 /// Values at the vertices of a mesh, e.g. {"mach", 1, ...} or {"velocity", 2, ...}.
 struct PointField {
-  std::string name;
+  std::string name{};
   std::size_t components = 1;
-  std::vector<double> values;  ///< components numbers a vertex, vertex after vertex
+  std::vector<double> values{};  ///< components numbers a vertex, vertex after vertex
 };
 
 namespace io {

@@ -26,12 +26,12 @@ void list_neighbours(const EdgeStructure& edges, EdgePlan& plan) {
     plan.neighbour[next[a.index()]++] = static_cast<std::uint32_t>(b.index());
     plan.neighbour[next[b.index()]++] = static_cast<std::uint32_t>(a.index());
   }
-  plan.diagonal_.resize(plan.vertex_count);
+  plan.diagonal.resize(plan.vertex_count);
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
     const auto first = plan.neighbour.begin() + plan.offset[v],
                last = plan.neighbour.begin() + plan.offset[v + 1];
     std::sort(first, last);
-    plan.diagonal_[v] =
+    plan.diagonal[v] =
         static_cast<std::uint32_t>(plan.offset[v] + v + (std::lower_bound(first, last, v) - first));
   }
 }

@@ -16,15 +16,6 @@ using namespace leonhard;
 using namespace leonhard::graph;
 using namespace leonhard::graph::test;
 
-namespace {
-
-bool is_permutation_of_all(const CsrGraph& graph, std::vector<std::uint32_t> order) {
-  std::ranges::sort(order);
-  return order == natural_order(graph);
-}
-
-}  // namespace
-
 TEST_CASE("a_path_is_dissected_with_less_fill_than_its_length") {
   const CsrGraph graph = renamed(path(1000), random_order(1000, 2));
   const OrderResult found = nested_dissection(graph, {.leaf = 10});

@@ -36,11 +36,6 @@ std::vector<Point3> some_points(std::uint32_t n) {
   return points;
 }
 
-bool is_permutation_of_all(const CsrGraph& graph, std::vector<std::uint32_t> order) {
-  std::ranges::sort(order);
-  return order == natural_order(graph);
-}
-
 std::vector<CsrGraph> shelf() {
   return {path(0),
           path(1),

@@ -187,13 +187,20 @@ TEST_CASE("batches_in_space_answer_like_the_predicates") {
   check_family_by_family<InspherePerturbed>(point_families3());
 }
 
+namespace {
+struct alignas(k::sphere_record_bytes) Record {
+  Point3 point;
+  std::uint32_t notes[2];
+};
+}  // namespace
+
 TEST_CASE("many_spheres_and_one_point_have_the_signs_of_insphere_where_the_filter_can_tell") {
   Random random(303);
   for (const auto& family : point_families3()) {
     CAPTURE(family.name);
     for (const std::size_t size : {1, 2, 3, 4, 5, 9, 500}) {
       const auto batch = batch_of<Insphere>(family, size, random);
-      std::vector<k::detail::PaddedPoint3> points;
+      std::vector<Record> points;
       for (const Point3& p : batch.points) points.push_back({p, {7, 4'000'000'000}});
       const Point3 last = batch.points.back();
       std::vector<std::uint32_t> ids;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/kernel/arithmetic/double_double.hpp"
+#include "leonhard/kernel/double_double.hpp"
 
 #include <doctest/doctest.h>
 

@@ -137,7 +137,7 @@ inline bool is_rounded_well(double x, double error, const mpq_class& truth) {
   return is_nearest(x, truth) && (std::isinf(error) || abs(x - truth) <= error);
 }
 
-inline bool contains(const kernel::Ball<kernel::DoubleDouble>& ball, const mpq_class& x) {
+inline bool contains(const kernel::NumberBall<kernel::DoubleDouble>& ball, const mpq_class& x) {
   return !std::isfinite(ball.radius) || abs(mpq_class(ball.value.high) + ball.value.low - x) <= ball.radius;
 }
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <optional>
 
-#include "leonhard/kernel/arithmetic/pair.hpp"
 #include "leonhard/kernel/arithmetic/small_multiples.hpp"
+#include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/kernel/stages/integer_predicates.hpp"
 #include "tests/kernel/point_families.hpp"

@@ -6,8 +6,8 @@
 
 #include "leonhard/kernel/point.hpp"
 
-/// Two doubles side by side, in the vector type of GCC and clang: every processor that we know of, x86-64 without
-/// options among them, computes with both at once. Rounds as two doubles do.
+/// Two doubles side by side for filters (filtered_sign.hpp), in the vector type of GCC and clang: every processor that we
+/// know of, x86-64 without options among them, computes with both at once. Rounds as two doubles do.
 namespace leonhard::kernel {
 
 using Pair = double __attribute__((vector_size(16)));
