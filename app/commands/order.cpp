@@ -23,7 +23,6 @@
 #include "leonhard/mesh/io/number_text.hpp"
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
 #include "leonhard/mesh/permute.hpp"
-#include "leonhard/mesh/tet_permute.hpp"
 
 namespace leonhard::app {
 namespace {

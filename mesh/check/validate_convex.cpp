@@ -2,34 +2,16 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <optional>
+#include <string>
 
 #include "leonhard/kernel/predicates3.hpp"
-#include "leonhard/mesh/check/tet_invariants.hpp"
 #include "leonhard/mesh/structures/boundary_sides.hpp"
-#include "leonhard/mesh/structures/half_faces.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::mesh {
 namespace {
-
-using AscendingFace = std::array<VertexId, 3>;
-
-std::vector<AscendingFace> sorted_interfaces(const TetMesh& mesh) {
-  std::vector<AscendingFace> faces;
-  for (const MarkedFace& face : mesh.interfaces) faces.push_back(sorted_face(face.corners).corners);
-  std::sort(faces.begin(), faces.end());
-  return faces;
-}
-
-/// The corner of t that does not lie on its face to `other`.
-VertexId corner_opposite(const TetMesh& mesh, TetId t, TetId other) {
-  const auto& neighbours = mesh.neighbours[t];
-  const auto side =
-      std::find(neighbours.begin(), neighbours.end(), MaybeId<TetId>(other)) - neighbours.begin();
-  return mesh.corners[t][static_cast<std::size_t>(side)];
-}
 
 std::array<Point3, 4> corner_points(const TetMesh& mesh, TetId t) {
   const auto& [a, b, c, d] = mesh.corners[t];
@@ -124,39 +106,6 @@ std::optional<std::string> reflex_edge(const TetMesh& mesh) {
 }
 
 }  // namespace
-
-std::optional<std::string> validate(const TetMesh& mesh) {
-  if (auto problem = broken_sizes(mesh)) return problem;
-  if (auto problem = broken_point(mesh)) return problem;
-  if (auto problem = broken_corner(mesh)) return problem;
-  if (auto problem = unused_vertex(mesh)) return problem;
-  if (auto problem = broken_orientation(mesh)) return problem;
-  const HalfFaceTable table = half_face_table(mesh);
-  if (auto problem = broken_face(mesh, table)) return problem;
-  if (auto problem = broken_neighbour(mesh, table)) return problem;
-  if (auto problem = broken_boundary(mesh, BoundaryFaces(mesh))) return problem;
-  return broken_interface(mesh, table);
-}
-
-std::optional<std::string> validate_delaunay(const TetMesh& mesh) {
-  std::optional<std::vector<AscendingFace>> interfaces;  // made when the first face fails
-  for (const TetId t : mesh.corners.ids()) {
-    const std::array<Point3, 4> p = corner_points(mesh, t);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const MaybeId<TetId> neighbour = mesh.neighbours[t][i];
-      if (!neighbour || *neighbour < t) continue;
-      const VertexId e = corner_opposite(mesh, *neighbour, t);
-      if (kernel::insphere(p[0], p[1], p[2], p[3], mesh.points[e]) != Sign::positive) continue;
-      if (!interfaces) interfaces = sorted_interfaces(mesh);
-      const auto face = outward_face(mesh.corners[t], i);
-      if (std::binary_search(interfaces->begin(), interfaces->end(), sorted_face(face).corners)) continue;
-      return words(mesh, face) + " is not locally Delaunay: " + words(mesh, e) +
-             ", a corner of tetrahedron " + std::to_string((*neighbour).raw) +
-             ", lies inside the circumsphere of " + words(mesh, t);
-    }
-  }
-  return std::nullopt;
-}
 
 std::optional<std::string> validate_convex(const TetMesh& mesh) {
   if (mesh.corners.empty()) return std::nullopt;
