@@ -40,8 +40,7 @@ using Corners = std::array<Point2, 3>;
 /// The real triangles by their corners' coordinates, sorted.
 std::vector<Corners> real_triangles(const PointTriangulation& of, std::span<const Point2> points) {
   std::vector<Corners> all;
-  for (std::size_t i = 0; i < of.triangulation.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+  for (const delaunay::AnyTriangleId t : of.triangulation.triangles()) {
     if (of.triangulation.is_ghost(t)) continue;
     Corners corners;
     for (unsigned k = 0; k < 3; ++k) corners[k] = points[of.triangulation.corner(t, k).index()];
