@@ -69,7 +69,7 @@ std::vector<CellField> rows_of_cells(const VtuGrid& grid, const VtuCells& cells,
 
 // ---- the plane ----
 
-void read_plane_points(const VtuGrid& grid, CellSoup& soup) {
+void read_triangle_points(const VtuGrid& grid, CellSoup& soup) {
   const std::vector<Point3> points = grid.read_points();
   soup.points.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -84,7 +84,7 @@ void read_plane_points(const VtuGrid& grid, CellSoup& soup) {
   soup.point_fields = grid.read_point_fields(soup.warnings);
 }
 
-void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
+void read_triangle_cells(const VtuGrid& grid, CellSoup& soup) {
   const VtuCells cells = grid.read_cells();
   const std::vector<Marker> markers = grid.read_cell_markers();
   const std::vector<double> regions = grid.read_regions();
@@ -111,7 +111,7 @@ void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
 }
 
 /// returns whether the file says what the boundary is, as those that write_vtu wrote do
-bool read_plane_boundary(const VtuGrid& grid, CellSoup& soup) {
+bool read_triangle_boundary(const VtuGrid& grid, CellSoup& soup) {
   const auto read = [&](const char* name, std::vector<MarkedEdge>& edges) {
     const XmlElement* array = VtuGrid::find_array(grid.field_data(), name);
     if (array == nullptr) return false;
@@ -128,7 +128,7 @@ bool read_plane_boundary(const VtuGrid& grid, CellSoup& soup) {
 
 // ---- space ----
 
-void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
+void read_tet_cells(const VtuGrid& grid, TetSoup& soup) {
   const VtuCells cells = grid.read_cells();
   const std::vector<Marker> markers = grid.read_cell_markers();
   const std::vector<double> regions = grid.read_regions();
@@ -156,7 +156,7 @@ void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
 }
 
 /// returns whether the file says what the boundary is, as those that write_vtu wrote do
-bool read_space_boundary(const VtuGrid& grid, TetSoup& soup) {
+bool read_tet_boundary(const VtuGrid& grid, TetSoup& soup) {
   const XmlElement* boundary = VtuGrid::find_array(grid.field_data(), vtu_names::boundary);
   soup.marker_names = grid.read_marker_names();
   if (boundary == nullptr) return false;
@@ -177,9 +177,9 @@ MeshFile parse_vtu(std::string_view bytes, const std::string& source) {
   const VtuGrid grid(root, source);
   CellSoup soup;
   soup.source = source;
-  read_plane_points(grid, soup);
-  read_plane_cells(grid, soup);
-  const bool knows_boundary = read_plane_boundary(grid, soup);
+  read_triangle_points(grid, soup);
+  read_triangle_cells(grid, soup);
+  const bool knows_boundary = read_triangle_boundary(grid, soup);
   const EdgeRule rule = knows_boundary ? EdgeRule::edges_are_the_boundary : EdgeRule::fill_in_the_boundary;
   return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
 }
@@ -192,8 +192,8 @@ TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source) {
   soup.points = PerId<VertexId, Point3>(grid.read_points());
   soup.vertex_markers = grid.read_vertex_markers();
   soup.point_fields = grid.read_point_fields(soup.warnings);
-  read_space_cells(grid, soup);
-  const bool knows_boundary = read_space_boundary(grid, soup);
+  read_tet_cells(grid, soup);
+  const bool knows_boundary = read_tet_boundary(grid, soup);
   const FaceRule rule = knows_boundary ? FaceRule::boundary_and_interfaces : FaceRule::fill_in_the_boundary;
   return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
 }
