@@ -3,7 +3,7 @@
 
 namespace leonhard::mesh {
 
-DualMetrics centroid_dual(const TriangleMesh& mesh, const EdgeStructure& edges) {
+DualMetrics<2> centroid_dual(const TriangleMesh& mesh, const EdgeStructure& edges) {
   PerId<TriangleId, Point2> centroids(mesh.triangle_count());
   for (const TriangleId t : mesh.corners.ids()) {
     const auto& [a, b, c] = mesh.corners[t];

@@ -12,6 +12,6 @@ namespace leonhard::mesh {
 ///
 /// edges  of this mesh, from build_edges
 /// Cost O(edges + triangles).
-[[nodiscard]] DualMetrics centroid_dual(const TriangleMesh& mesh, const EdgeStructure& edges);
+[[nodiscard]] DualMetrics<2> centroid_dual(const TriangleMesh& mesh, const EdgeStructure& edges);
 
 }  // namespace leonhard::mesh

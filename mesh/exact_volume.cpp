@@ -2,7 +2,7 @@
 #include "leonhard/mesh/exact_volume.hpp"
 
 #include "leonhard/mesh/exact_sum.hpp"
-#include "leonhard/mesh/structures/sorted_face.hpp"
+#include "leonhard/mesh/structures/sorted_facet.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -16,7 +16,7 @@ void add_face(ExactSum& sum, const TetMesh& mesh, const std::array<VertexId, 3>&
 mpq_class exact_volume6(const TetMesh& mesh) {
   ExactSum sum;
   for (const auto& corners : mesh.corners) {
-    for (std::size_t side = 0; side < 4; ++side) add_face(sum, mesh, outward_face(corners, side));
+    for (std::size_t side = 0; side < 4; ++side) add_face(sum, mesh, outward_facet(corners, side));
   }
   return sum.value();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -64,9 +64,9 @@ Converted convert_triangles(const ConvertOptions& options) {
   MeshFile file = io::read_mesh(options.in);
   drop_fields_that_do_not_fit(file, options.out);
   io::write_mesh(options.out, file.mesh, file.point_fields, file.cell_fields);
-  return {{{"vertices", file.mesh.vertex_count()},
-           {"triangles", file.mesh.triangle_count()},
-           {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
+  return {Json{{"vertices", file.mesh.vertex_count()},
+               {"triangles", file.mesh.triangle_count()},
+               {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
           std::move(file.warnings)};
 }
 
@@ -74,9 +74,9 @@ Converted convert_tetrahedra(const ConvertOptions& options) {
   TetMeshFile file = io::read_tet_mesh(options.in);
   drop_fields_that_do_not_fit(file, options.out);
   io::write_tet_mesh(options.out, file.mesh, file.point_fields, file.cell_fields);
-  return {{{"vertices", file.mesh.vertex_count()},
-           {"tetrahedra", file.mesh.tet_count()},
-           {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
+  return {Json{{"vertices", file.mesh.vertex_count()},
+               {"tetrahedra", file.mesh.tet_count()},
+               {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
           std::move(file.warnings)};
 }
 
@@ -87,10 +87,10 @@ ExitCode convert(const ConvertOptions& options) {
   Console console(options.common.quiet);
   for (const std::string& warning : converted.warnings) console.warning(warning);
   if (options.common.json) {
-    Json report = {{"in", options.in}, {"out", options.out}};
+    Json report{{"in", options.in}, {"out", options.out}};
     report.update(converted.counts);
     report["warnings"] = converted.warnings;
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report.text());
   }
   return ExitCode::done;
 }

@@ -335,7 +335,7 @@ TEST_CASE("vortex_velocity_has_the_circulation_of_its_lift") {
 /// The wave speeds that a control volume's faces see, added up face by face from the median dual's metrics.
 std::vector<double> plain_wave_speeds(const TriangleMesh& mesh, const PerId<VertexId, State>& state) {
   const EdgeStructure edges = mesh::build_edges(mesh);
-  const MedianDual dual = mesh::median_dual(mesh, edges);
+  const DualMetrics<2> dual = mesh::median_dual(mesh, edges);
   std::vector<double> sums(mesh.vertex_count());
   for (const EdgeId e : dual.normal.ids()) {
     const VertexId a = edges.ends[e][0], b = edges.ends[e][1];
