@@ -9,12 +9,16 @@
 
 namespace leonhard {
 
-/// What a mesh reader returns: a mesh that passes `mesh::validate`, and in words what had to be decided on
-/// the way (quadrilaterals split, clockwise cells turned, ...).
-struct MeshFile {
-  TriangleMesh mesh;
+/// What a mesh reader returns: a mesh that passes `mesh::validate` and `mesh::validate_embedding`, and in words what had
+/// to be decided on the way (quadrilaterals split, clockwise or inverted cells turned over, boundary facets without a
+/// marker, ...).
+template <int Dim>
+struct SimplexMeshFile {
+  SimplexMesh<Dim> mesh;
   std::vector<std::string> warnings;
 };
+
+using MeshFile = SimplexMeshFile<2>;
 
 namespace io {
 

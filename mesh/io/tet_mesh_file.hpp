@@ -5,16 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 
 namespace leonhard {
 
-/// What a reader of tetrahedral meshes returns: a mesh that passes `mesh::validate` and `mesh::validate_embedding`, and
-/// in words what had to be decided on the way (tetrahedra turned over, boundary faces without a marker, ...).
-struct TetMeshFile {
-  TetMesh mesh;
-  std::vector<std::string> warnings;
-};
+using TetMeshFile = SimplexMeshFile<3>;
 
 namespace io {
 
