@@ -64,7 +64,13 @@ install(FILES ${PROJECT_BINARY_DIR}/leonhardConfig.cmake ${PROJECT_BINARY_DIR}/l
 include(cmake/LeonhardPkgConfig.cmake)
 
 if(LEONHARD_APP)
-  file(RELATIVE_PATH libraries_from_program /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
-  set_target_properties(leonhard_program PROPERTIES INSTALL_RPATH $ORIGIN/${libraries_from_program})
+  if(shared)
+    file(RELATIVE_PATH libraries_from_program /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(leonhard_program PROPERTIES INSTALL_RPATH $ORIGIN/${libraries_from_program})
+  endif()
   install(TARGETS leonhard_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endif()
+
+if(PROJECT_IS_TOP_LEVEL)
+  include(cmake/LeonhardPackage.cmake)
 endif()

@@ -2,38 +2,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 
-#include "leonhard/delaunay/topology/ghost_triangulation.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 #include "leonhard/kernel/point.hpp"
-#include "leonhard/kernel/progress.hpp"
 
 namespace leonhard::delaunay {
-
-enum class TriangulateOutcome {
-  done,
-  too_few_points,  ///< fewer than three distinct points: the mesh is empty
-  all_collinear,   ///< three or more distinct points, all on one line: the mesh is empty
-  stopped,         ///< a stop was requested: the mesh is empty
-};
-
-/// The word for it, e.g. "done".
-[[nodiscard]] constexpr std::string_view to_string(TriangulateOutcome outcome) {
-  switch (outcome) {
-    case TriangulateOutcome::done:
-      return "done";
-    case TriangulateOutcome::too_few_points:
-      return "too_few_points";
-    case TriangulateOutcome::all_collinear:
-      return "all_collinear";
-    case TriangulateOutcome::stopped:
-      return "stopped";
-  }
-  return "";
-}
 
 /// The ways to the one Delaunay triangulation of a point set. All give the same triangles: ties are broken by
 /// kernel::incircle_perturbed.
@@ -68,20 +44,6 @@ inline constexpr std::array named_algorithms{
   return "";
 }
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
-
-struct AlgorithmOptions {
-  std::uint64_t seed =
-      1;  ///< of the algorithms that draw an order at random; the triangles do not depend on it
-  unsigned threads = 1;  ///< 0: as many as there are cores; only some algorithms use more than one
-  Progress progress{};
-};
-
-/// Triangles of a point set as a triangulation of the sphere; corner ids are indices of the points. Empty
-/// unless done.
-struct [[nodiscard]] PointTriangulation {
-  TriangulateOutcome outcome = TriangulateOutcome::done;
-  GhostTriangulation triangulation;
-};
 
 /// The Delaunay triangulation of distinct, finite points by the algorithm named.
 ///

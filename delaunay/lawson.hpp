@@ -7,8 +7,8 @@
 #include <span>
 #include <string_view>
 
-#include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/plane/swap_criterion.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 #include "leonhard/kernel/progress.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 

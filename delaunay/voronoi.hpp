@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "leonhard/delaunay/triangulate.hpp"
+#include "leonhard/delaunay/voronoi_corner.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
@@ -24,12 +25,7 @@ using VoronoiEdgeId = Id<struct VoronoiEdgeTag>;
 /// Topology is exact: triangles with the same circumcircle, by exact incircle, make one vertex, so that the vertices of
 /// a square grid's diagram have four edges. Only the vertices' coordinates are rounded.
 struct VoronoiDiagram {
-  struct Vertex {
-    Point2 at;
-    /// At most this far from the exact circumcentre (kernel/constructions.hpp). Infinite where that lies beyond the
-    /// largest double: `at` is then a point at the end of the doubles' range, in about its direction.
-    double error{};
-  };
+  using Vertex = VoronoiCorner<Point2>;
   /// Directed, its first site on the left: a segment with two ends, a ray with one, a line (collinear sites) with none.
   struct Edge {
     std::array<VertexId, 2> sites;

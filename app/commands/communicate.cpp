@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <memory>
@@ -18,6 +18,7 @@
 #include "leonhard/app/report/communication_report.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/partition_report.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 
@@ -154,7 +155,7 @@ ExitCode communicate(const CommunicateCommand& command) {
   Json report = report_of(command, input, answer);
   report["seconds"] = timer.seconds();
   report["peak_memory_bytes"] = peak_memory_bytes();
-  const std::string json = report.dump(2) + "\n";
+  const std::string json = report.text() + "\n";
   if (!command.common.output.empty()) io::write_file_atomically(command.common.output, json);
   fmt::print("{}", command.common.json ? json : text_of(command, input, answer));
   return exit_code_of(answer, signals.token().stop_requested());

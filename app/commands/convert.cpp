@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -11,6 +11,7 @@
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/file_dimension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
@@ -47,21 +48,35 @@ void check_output(const ConvertOptions& options, int dimension) {
                    "use one of " + known);
 }
 
+/// Leaves the fields out, with a warning, if the format of the output carries none.
+template <class File>
+void drop_fields_that_do_not_fit(File& file, const std::string& out) {
+  const std::size_t count = file.point_fields.size() + file.cell_fields.size();
+  if (count == 0 || io::carries_fields(out)) return;
+  file.warnings.push_back(fmt::format("{} {} left out: {} files carry none", count,
+                                      count == 1 ? "field was" : "fields were",
+                                      std::filesystem::path(out).extension().string()));
+  file.point_fields.clear();
+  file.cell_fields.clear();
+}
+
 Converted convert_triangles(const ConvertOptions& options) {
   MeshFile file = io::read_mesh(options.in);
-  io::write_mesh(options.out, file.mesh);
-  return {{{"vertices", file.mesh.vertex_count()},
-           {"triangles", file.mesh.triangle_count()},
-           {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
+  drop_fields_that_do_not_fit(file, options.out);
+  io::write_mesh(options.out, file.mesh, file.point_fields, file.cell_fields);
+  return {Json{{"vertices", file.mesh.vertex_count()},
+               {"triangles", file.mesh.triangle_count()},
+               {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
           std::move(file.warnings)};
 }
 
 Converted convert_tetrahedra(const ConvertOptions& options) {
   TetMeshFile file = io::read_tet_mesh(options.in);
-  io::write_tet_mesh(options.out, file.mesh);
-  return {{{"vertices", file.mesh.vertex_count()},
-           {"tetrahedra", file.mesh.tet_count()},
-           {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
+  drop_fields_that_do_not_fit(file, options.out);
+  io::write_tet_mesh(options.out, file.mesh, file.point_fields, file.cell_fields);
+  return {Json{{"vertices", file.mesh.vertex_count()},
+               {"tetrahedra", file.mesh.tet_count()},
+               {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
           std::move(file.warnings)};
 }
 
@@ -72,10 +87,10 @@ ExitCode convert(const ConvertOptions& options) {
   Console console(options.common.quiet);
   for (const std::string& warning : converted.warnings) console.warning(warning);
   if (options.common.json) {
-    Json report = {{"in", options.in}, {"out", options.out}};
+    Json report{{"in", options.in}, {"out", options.out}};
     report.update(converted.counts);
     report["warnings"] = converted.warnings;
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report.text());
   }
   return ExitCode::done;
 }

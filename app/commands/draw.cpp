@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>
@@ -120,7 +120,7 @@ ExitCode draw_file(const DrawCommand& command) {
   Console console(command.common.quiet);
   for (const std::string& warning : warnings) console.warning(warning);
   if (command.common.json)
-    fmt::print("{}\n", Json{{"picture", command.common.output}, {"warnings", warnings}}.dump(2));
+    fmt::print("{}\n", Json{{"picture", command.common.output}, {"warnings", warnings}}.text());
   return ExitCode::done;
 }
 

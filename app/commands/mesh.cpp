@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <filesystem>
@@ -8,7 +8,9 @@
 #include "leonhard/app/case/case.hpp"
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/report/mesh_json.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/solve/mesh_domain.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 
@@ -52,15 +54,16 @@ ExitCode mesh(const MeshOptions& options) {
   for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) console.warning(warning);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   io::write_mesh(options.common.output, meshed.mesh);
-  Json report = mesh_report(meshed.mesh);
-  report["refinement"] = to_json(meshed.report);
-  report["seconds"] = {{"mesh", seconds}};
-  report["peak_memory_bytes"] = peak_memory_bytes();
+  const MeshReport report = mesh_report(meshed.mesh);
   if (options.common.json) {
-    fmt::print("{}\n", report.dump(2));
+    Json json = to_json(report);
+    json["refinement"] = to_json(meshed.report);
+    json["seconds"] = Json{{"mesh", seconds}};
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    fmt::print("{}\n", json.text());
   } else {
-    fmt::print("{}{:<14}{}, {} points inserted\n", mesh_report_text(report), "refinement",
-               report["refinement"]["outcome"].get<std::string>(), grouped(meshed.report.inserted));
+    fmt::print("{}{:<14}{}, {} points inserted\n", text_of(report), "refinement", to_string(meshed.report.outcome),
+               grouped(meshed.report.inserted));
   }
   switch (meshed.report.outcome) {
     case delaunay::RefineOutcome::achieved:

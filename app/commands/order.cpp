@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/graph/order.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +14,7 @@
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/graph/fill.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
@@ -205,7 +206,7 @@ ExitCode order_file(const OrderCommand& command) {
     report["warnings"] = input.warnings;
     report["seconds"] = timer.seconds();
     report["peak_memory_bytes"] = peak_memory_bytes();
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report.text());
   } else {
     print_table(table);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/graph/partition.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
 #include <string>
@@ -14,6 +14,7 @@
 #include "leonhard/app/graphs/read_any_graph.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/partition_report.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -38,7 +39,7 @@ Json report_of(const PartitionCommand& command, const AnyGraph& input, const gra
               {"edges", graph::edge_count(input.graph)},
               {"seed", command.common.seed}};
   report.update(partition_report(partition, cost, command.request));
-  report["output"] = command.common.output.empty() ? Json(nullptr) : Json(command.common.output);
+  report["output"] = command.common.output.empty() ? Json() : Json(command.common.output);
   report["warnings"] = input.warnings;
   return report;
 }
@@ -63,14 +64,21 @@ ExitCode partition_file(const PartitionCommand& command) {
   const graph::Partition partition = part(command.request.parts);
   timer.lap("partition");
   for (const std::string& warning : input.warnings) console.warning(warning);
-  Json report = report_of(command, input, partition, part.cost_of(partition));
+  const graph::PartitionCost cost = part.cost_of(partition);
   if (!output.path.empty())
     write_partition(output, input, which, partition,
                     fmt::format("{} parts, {}", partition.parts, command.request.method));
   timer.lap("write");
-  report["seconds"] = timer.seconds();
-  report["peak_memory_bytes"] = peak_memory_bytes();
-  fmt::print("{}", command.common.json ? report.dump(2) + "\n" : partition_report_text(report));
+  if (command.common.json) {
+    Json report = report_of(command, input, partition, cost);
+    report["seconds"] = timer.seconds();
+    report["peak_memory_bytes"] = peak_memory_bytes();
+    fmt::print("{}\n", report.text());
+  } else {
+    const std::string_view of = vertices_are(input, which);
+    fmt::print("{}{}", graph_text(graph::vertex_count(input.graph), graph::edge_count(input.graph), of),
+               partition_report_text(partition, cost, command.request, of));
+  }
   return exit_code_of(partition.outcome);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
 #include <thread>
@@ -35,7 +35,7 @@ void take(SolveRun& run, Console& console, const char* name, Step&& step) {
 void tell_the_end(const SolveRun& run, const std::filesystem::path& folder, const Json& report,
                   bool as_json) {
   if (as_json) {
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report.text());
     return;
   }
   fmt::print("{}\n", run.flow.words);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/graphs/partition_request.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <limits>
 #include <string_view>

@@ -38,16 +38,16 @@ Point3 rounded_centroid(const std::array<Point3, 4>& p) {
 }
 
 /// A place strictly inside one tetrahedron, which is among the largest if that one holds its rounded centroid.
-struct InnerPlace {
+struct PlaceWithin {
   Point3 o;
   TetId tet;
 };
-std::optional<InnerPlace> inner_place(const TetMesh& mesh) {
+std::optional<PlaceWithin> inner_place(const TetMesh& mesh) {
   const auto volume6 = [&](TetId t) {
     const auto [a, b, c, d] = corner_points(mesh, t);
     return dot(cross(b - a, c - a), d - a);
   };
-  std::optional<InnerPlace> place;
+  std::optional<PlaceWithin> place;
   double largest = 0;
   for (const TetId t : mesh.corners.ids()) {
     const double volume = volume6(t);
@@ -69,7 +69,7 @@ bool boxed(const std::array<Point3, 4>& p, const Point3& o) {
 }
 
 /// Another tetrahedron that holds the place, in words.
-std::optional<std::string> covered_twice(const TetMesh& mesh, const InnerPlace& place) {
+std::optional<std::string> covered_twice(const TetMesh& mesh, const PlaceWithin& place) {
   for (const TetId t : mesh.corners.ids()) {
     if (t == place.tet || !boxed(corner_points(mesh, t), place.o)) continue;
     if (faces_before(mesh, t, place.o))
@@ -78,7 +78,7 @@ std::optional<std::string> covered_twice(const TetMesh& mesh, const InnerPlace& 
   return std::nullopt;
 }
 
-std::optional<std::string> face_not_seen_from(const TetMesh& mesh, const InnerPlace& place) {
+std::optional<std::string> face_not_seen_from(const TetMesh& mesh, const PlaceWithin& place) {
   for (const MarkedFace& face : mesh.boundary) {
     const auto& [a, b, c] = face.corners;
     if (kernel::orient3d(mesh.points[a], mesh.points[b], mesh.points[c], place.o) != Sign::negative) {

@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "leonhard/mesh/draw/colour.hpp"
+#include "leonhard/mesh/draw/line_style.hpp"
 #include "leonhard/mesh/draw/picture.hpp"
 
 /// Curves and histograms. Format, errors and determinism as in mesh_picture.hpp.
 namespace leonhard::draw {
-
-enum class LineStyle { solid, dashed, dotted, dash_dotted, none };
-enum class MarkerStyle { none, circle, square, triangle, diamond, cross };
 
 /// One curve. A point that is not finite, or not positive on a logarithmic axis, interrupts the line: the history
 /// of a run that diverged can be drawn.

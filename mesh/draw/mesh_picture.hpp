@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "leonhard/mesh/draw/colour.hpp"
+#include "leonhard/mesh/draw/field_options.hpp"
 #include "leonhard/mesh/draw/picture.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -41,24 +42,6 @@ struct MeshOptions {
 
 /// The mesh: edges thin, boundaries thick.
 void draw_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const MeshOptions& options = {});
-
-struct FieldOptions {
-  PictureSize size{};
-  View view{};
-  std::string title{};
-  std::string x_label = "x", y_label = "y";
-  std::string value_label{};  ///< beside the colour bar, unit included
-  ColourMap colour_map = ColourMap::sequential;
-  std::optional<Range> value_range{};  ///< default: the values in view; values beyond get the end colours
-  /// About how many, 1 to 200: levels are 1, 2, 2.5 or 5 times a power of ten apart, on multiples of that, or
-  /// half-way between them where much of the picture is a plateau on such a value (a free stream of Mach 2).
-  int bands = 20;
-  std::vector<double>
-      levels{};  ///< or the levels themselves, strictly rising; those beyond the range do not show
-  bool contour_lines = true;
-  std::optional<double> dashed_below{};  ///< contour lines of levels below this value are dashed
-  bool show_mesh = false;
-};
 
 /// A field: filled bands between levels, contour lines over them, a colour bar.
 ///

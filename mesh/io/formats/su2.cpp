@@ -67,9 +67,9 @@ class MeshParser : Su2Parser {
   MeshSoup<Dim> soup_;
 };
 
-class PlaneParser final : public MeshParser<2> {
+class TriangleParser final : public MeshParser<2> {
  public:
-  PlaneParser(std::string_view text, const std::string& source) : MeshParser(text, source) {}
+  TriangleParser(std::string_view text, const std::string& source) : MeshParser(text, source) {}
 
  private:
   void read_cell(std::size_t index) override {
@@ -96,9 +96,9 @@ class PlaneParser final : public MeshParser<2> {
   }
 };
 
-class SpaceParser final : public MeshParser<3> {
+class TetParser final : public MeshParser<3> {
  public:
-  SpaceParser(std::string_view text, const std::string& source) : MeshParser(text, source) {}
+  TetParser(std::string_view text, const std::string& source) : MeshParser(text, source) {}
 
  private:
   void read_cell(std::size_t index) override {
@@ -177,10 +177,10 @@ std::string format(const SimplexMesh<Dim>& mesh) {
 }  // namespace
 
 MeshFile parse_su2(std::string_view text, const std::string& source) {
-  return PlaneParser(text, source).parse();
+  return TriangleParser(text, source).parse();
 }
 TetMeshFile parse_tet_su2(std::string_view text, const std::string& source) {
-  return SpaceParser(text, source).parse();
+  return TetParser(text, source).parse();
 }
 
 MeshFile read_su2(const std::filesystem::path& path) {

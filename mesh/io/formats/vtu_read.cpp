@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "leonhard/mesh/io/formats/vtu_grid.hpp"
@@ -59,6 +60,7 @@ bool read_boundary(const VtuGrid& grid, MeshSoup<Dim>& soup) {
 template <int Dim>
 SimplexMeshFile<Dim> finish(const VtuGrid& grid, MeshSoup<Dim>&& soup) {
   soup.vertex_markers = grid.read_vertex_markers();
+  soup.point_fields = grid.read_point_fields(soup.warnings);
   const bool knows_boundary = read_boundary(grid, soup);
   SimplexMeshFile<Dim> file = assemble(std::move(soup), knows_boundary ? FacetRule::boundary_and_inner_facets
                                                                        : FacetRule::fill_in_the_boundary);
@@ -68,9 +70,27 @@ SimplexMeshFile<Dim> finish(const VtuGrid& grid, MeshSoup<Dim>&& soup) {
   return file;
 }
 
+/// The file's cell fields without the rows of cells of other types, such as lines on the boundary.
+std::vector<CellField> rows_of_cells(const VtuGrid& grid, const VtuCells& cells,
+                                     std::initializer_list<std::int64_t> types,
+                                     std::vector<std::string>& warnings) {
+  std::vector<CellField> fields = grid.read_cell_fields(warnings);
+  for (CellField& field : fields) {
+    std::size_t kept = 0;
+    for (std::size_t c = 0; c < cells.count(); ++c) {
+      if (std::find(types.begin(), types.end(), cells.types[c]) == types.end()) continue;
+      const auto row = field.values.begin() + static_cast<std::ptrdiff_t>(c * field.components);
+      std::copy_n(row, field.components,
+                  field.values.begin() + static_cast<std::ptrdiff_t>(kept++ * field.components));
+    }
+    field.values.resize(kept * field.components);
+  }
+  return fields;
+}
+
 // ---- the plane ----
 
-void read_plane_points(const VtuGrid& grid, MeshSoup<2>& soup) {
+void read_triangle_points(const VtuGrid& grid, MeshSoup<2>& soup) {
   const std::vector<Point3> points = grid.read_points();
   soup.points.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -83,7 +103,7 @@ void read_plane_points(const VtuGrid& grid, MeshSoup<2>& soup) {
   }
 }
 
-void read_plane_cells(const VtuGrid& grid, MeshSoup<2>& soup) {
+void read_triangle_cells(const VtuGrid& grid, MeshSoup<2>& soup) {
   const VtuCells cells = grid.read_cells();
   const std::vector<Marker> markers = grid.read_cell_markers();
   const std::vector<double> regions = grid.read_regions();
@@ -105,11 +125,12 @@ void read_plane_cells(const VtuGrid& grid, MeshSoup<2>& soup) {
     const bool is_cell = type == vtk_triangle || type == vtk_quadrilateral;
     if (is_cell && !regions.empty()) soup.cell_regions.push_back(regions[c]);
   }
+  soup.cell_fields = rows_of_cells(grid, cells, {vtk_triangle, vtk_quadrilateral}, soup.warnings);
 }
 
 // ---- space ----
 
-void read_space_cells(const VtuGrid& grid, MeshSoup<3>& soup) {
+void read_tet_cells(const VtuGrid& grid, MeshSoup<3>& soup) {
   const VtuCells cells = grid.read_cells();
   const std::vector<Marker> markers = grid.read_cell_markers();
   const std::vector<double> regions = grid.read_regions();
@@ -133,6 +154,7 @@ void read_space_cells(const VtuGrid& grid, MeshSoup<3>& soup) {
                 "only tetrahedra (10), and triangles (5) on the boundary or inside, can be read");
     }
   }
+  soup.cell_fields = rows_of_cells(grid, cells, {vtk_tetrahedron}, soup.warnings);
 }
 
 }  // namespace
@@ -142,8 +164,8 @@ MeshFile parse_vtu(std::string_view bytes, const std::string& source) {
   const VtuGrid grid(root, source);
   MeshSoup<2> soup;
   soup.source = source;
-  read_plane_points(grid, soup);
-  read_plane_cells(grid, soup);
+  read_triangle_points(grid, soup);
+  read_triangle_cells(grid, soup);
   return finish(grid, std::move(soup));
 }
 
@@ -153,7 +175,7 @@ TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source) {
   MeshSoup<3> soup;
   soup.source = source;
   soup.points = PerId<VertexId, Point3>(grid.read_points());
-  read_space_cells(grid, soup);
+  read_tet_cells(grid, soup);
   return finish(grid, std::move(soup));
 }
 

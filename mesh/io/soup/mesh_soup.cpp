@@ -211,6 +211,17 @@ struct Cells {
   std::vector<double> regions;  ///< empty if the soup has none
 };
 
+/// Both halves of a quadrilateral get its values.
+void give_halves_their_rows(const std::vector<SoupCell>& cells, CellField& field) {
+  std::vector<double> values;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto row = field.values.begin() + static_cast<std::ptrdiff_t>(c * field.components);
+    for (std::uint32_t i = 2; i < cells[c].corner_count; ++i)
+      values.insert(values.end(), row, row + static_cast<std::ptrdiff_t>(field.components));
+  }
+  field.values = std::move(values);
+}
+
 /// Triangles, quadrilaterals split.
 Cells<2> take_cells(MeshSoup<2>& soup, std::vector<std::string>& warnings) {
   Cells<2> result;
@@ -229,6 +240,7 @@ Cells<2> take_cells(MeshSoup<2>& soup, std::vector<std::string>& warnings) {
       for (std::uint32_t i = 2; i < cell.corner_count; ++i) result.regions.push_back(soup.cell_regions[c]);
   }
   if (quadrilaterals == 0) return result;
+  for (CellField& field : soup.cell_fields) give_halves_their_rows(soup.cells, field);
   warnings.push_back(std::to_string(quadrilaterals) +
                      " quadrilaterals were split into triangles along their Delaunay diagonals");
   soup.note += (soup.note.empty() ? "" : "; ");
@@ -346,8 +358,11 @@ SimplexMeshFile<Dim> assemble(MeshSoup<Dim> soup, FacetRule rule) {
     if constexpr (Dim == 3)
       if (rule != FacetRule::boundary_and_inner_facets) refuse_faces_given_twice(soup);
     SimplexMeshFile<Dim> result;
+    result.warnings = std::move(soup.warnings);
     orient_cells(soup, result.warnings);
     result.mesh = checked_mesh(soup, rule, result.warnings);
+    result.point_fields = std::move(soup.point_fields);
+    result.cell_fields = std::move(soup.cell_fields);
     return result;
   } catch (const InputError& error) {
     if (soup.note.empty()) throw;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mach 2 against a ramp of 10 degrees, compared with the exact oblique shock.
 #include <cmath>
+#include <leonhard/solver/linear_solver.hpp>
 #include <leonhard/solver/steady.hpp>
 #include <numbers>
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "leonhard/delaunay/location.hpp"
 #include "leonhard/delaunay/topology/cavity.hpp"
 #include "leonhard/delaunay/topology/ghost_triangulation.hpp"
 #include "leonhard/kernel/point.hpp"
@@ -15,12 +16,6 @@
 /// the distances that it sums: slivers, coordinates whose squares leave the range of double, points next to a
 /// vertex or the hull.
 namespace leonhard::delaunay {
-
-struct VertexWeight {
-  VertexId vertex;
-  double weight;
-  friend bool operator==(const VertexWeight&, const VertexWeight&) = default;
-};
 
 /// Linear interpolation between two vertices.
 ///

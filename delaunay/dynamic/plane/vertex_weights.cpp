@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/delaunay/dynamic/vertex_weights.hpp"
+#include "leonhard/delaunay/dynamic/plane/vertex_weights.hpp"
 
 #include <gmpxx.h>
 
-#include <algorithm>
 #include <cmath>
-#include <type_traits>
+
+#include "leonhard/delaunay/dynamic/weights_by_shares.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -23,46 +23,6 @@ Vector<Number> difference(Point2 a, Point2 b) {
 template <class Number>
 Number cross(const Vector<Number>& u, const Vector<Number>& v) {
   return u.x * v.y - u.y * v.x;
-}
-
-double rounded(double x) { return x; }
-double rounded(const mpq_class& x) { return x.get_d(); }
-
-/// Divide areas by their sum.
-template <class Number>
-void share(const std::vector<Number>& areas, std::vector<VertexWeight>& weights) {
-  Number sum = 0;
-  for (const Number& area : areas) sum += area;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    const Number part = areas[i] / sum;
-    weights[i].weight = rounded(part);
-  }
-}
-
-/// Whether weights are a convex combination of p up to rounding errors that matter to nobody.
-bool plausible(std::span<const Point2> points, Point2 p, const std::vector<VertexWeight>& weights) {
-  constexpr double tolerance = 0x1p-33;
-  Vec2 sum{};
-  double size = 0, total = 0;
-  for (const auto& [vertex, weight] : weights) {
-    if (!(weight >= -tolerance)) return false;
-    const Vec2 arm = points[vertex.index()] - p;
-    sum = sum + weight * arm;
-    size += std::abs(weight) * (std::abs(arm.x) + std::abs(arm.y));
-    total += weight;
-  }
-  return std::abs(sum.x) + std::abs(sum.y) <= tolerance * size && std::isfinite(size) &&
-         std::abs(total - 1) <= tolerance;
-}
-
-/// Weights by shares of areas, in floating point if that will do.
-///
-/// areas_in  a template of the kind of number: fills the areas
-template <class Areas>
-void weigh(std::span<const Point2> points, Point2 p, const Areas& areas, std::vector<VertexWeight>& weights) {
-  share(areas(double{}), weights);
-  if (!plausible(points, p, weights)) share(areas(mpq_class{}), weights);
-  for (VertexWeight& w : weights) w.weight = std::max(w.weight, 0.0);
 }
 
 /// The circumcentre of 0, u and v.
@@ -135,7 +95,7 @@ void edge_weights(std::span<const Point2> points, VertexId a, VertexId b, Point2
     const auto along = [&](Point2 q) { return Number(steep ? q.y : q.x); };
     return std::vector<Number>{along(to) - along(p), along(p) - along(from)};
   };
-  weigh(points, p, lengths, weights);
+  weigh_by_shares(points, p, lengths, weights);
 }
 
 void triangle_weights(std::span<const Point2> points, VertexId a, VertexId b, VertexId c, Point2 p,
@@ -146,7 +106,7 @@ void triangle_weights(std::span<const Point2> points, VertexId a, VertexId b, Ve
     const Vector<Number> u = arm(a), v = arm(b), w = arm(c);
     return std::vector<Number>{cross(v, w), cross(w, u), cross(u, v)};
   };
-  weigh(points, p, areas, weights);
+  weigh_by_shares(points, p, areas, weights);
 }
 
 void sibson_weights(const GhostTriangulation& in, std::span<const Point2> points, const Cavity& cavity,
@@ -154,7 +114,7 @@ void sibson_weights(const GhostTriangulation& in, std::span<const Point2> points
   weights.clear();
   for (const Cavity::Border& b : cavity.border()) weights.push_back({b.from, 0});
   const auto areas = [&]<class Number>(Number) { return StolenAreas<Number>(in, points, cavity, p).areas(); };
-  weigh(points, p, areas, weights);
+  weigh_by_shares(points, p, areas, weights);
 }
 
 }  // namespace leonhard::delaunay
