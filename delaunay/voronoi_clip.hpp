@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "leonhard/delaunay/voronoi.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 

@@ -70,6 +70,7 @@ std::vector<VertexId> DynamicQueries<Sites, PointT, LocationT>::k_nearest_vertic
     const VertexId v = next.top();
     next.pop();
     found.push_back(v);
+    if (found.size() + next.size() == sites().size()) continue;  // there are no others
     sites().collect_neighbours(v, search, neighbours);
     for (const VertexId w : neighbours)
       if (known.insert(w.raw)) next.push(w);
