@@ -104,7 +104,11 @@ class DynamicTetrahedralization {
   /// All ids are below: the size of an array by vertex.
   [[nodiscard]] std::size_t id_bound() const { return points_.size(); }
   [[nodiscard]] bool contains(VertexId v) const { return points_.contains(v) && is_finite(points_[v]); }
-  [[nodiscard]] const Point3& point(VertexId v) const { return points_[v]; }
+  [[nodiscard]] const Point3& point(VertexId v) const {
+    if (!contains(v)) [[unlikely]]
+      require_living(v);
+    return points_[v];
+  }
 
   [[nodiscard]] SpaceVertexView vertices() const { return SpaceVertexView(points_.flat()); }
   [[nodiscard]] TetrahedronView tetrahedra() const { return TetrahedronView(cells_); }

@@ -59,7 +59,7 @@ struct Interpolated {
 
   [[nodiscard]] bool inside() const { return where != PointLocation::Kind::outside; }
 };
-/// The sum of weighted values, values[v.index()] that of v.
+/// The sum of weighted values, values[v.index()] that of v. throws InputError if one is missing
 [[nodiscard]] Interpolated interpolated(PointLocation::Kind where, std::span<const VertexWeight> weights,
                                         std::span<const double> values);
 
@@ -122,7 +122,11 @@ class DynamicTriangulation {
   /// All ids are below: the size of an array by vertex.
   [[nodiscard]] std::size_t id_bound() const { return points_.size(); }
   [[nodiscard]] bool contains(VertexId v) const { return points_.contains(v) && is_finite(points_[v]); }
-  [[nodiscard]] Point2 point(VertexId v) const { return points_[v]; }
+  [[nodiscard]] Point2 point(VertexId v) const {
+    if (!contains(v)) [[unlikely]]
+      require_living(v);
+    return points_[v];
+  }
 
   [[nodiscard]] VertexView vertices() const { return VertexView(points_.flat()); }
   [[nodiscard]] EdgeView edges() const { return EdgeView(triangles_, line_); }

@@ -52,9 +52,11 @@ struct [[nodiscard]] PointTetrahedralization {
   GhostTetrahedralization cells;
 };
 
-/// The Delaunay tetrahedralisation of distinct, finite points by the algorithm named.
+/// The Delaunay tetrahedralisation of distinct, finite points by the algorithm named. That they are distinct is a
+/// precondition: tetrahedralize() merges those that are not.
 ///
 /// points  best in an order along a space-filling curve (kernel::hilbert_order), on which speed relies
+/// throws  InputError naming the first point that is not finite
 PointTetrahedralization tetrahedralize_distinct(std::span<const Point3> points, TetAlgorithm algorithm,
                                                 const TetAlgorithmOptions& options);
 

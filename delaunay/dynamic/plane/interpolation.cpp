@@ -13,7 +13,12 @@ Interpolated interpolated(PointLocation::Kind where, std::span<const VertexWeigh
   if (where == PointLocation::Kind::outside) return {where, std::numeric_limits<double>::quiet_NaN()};
   double sum = 0;
   for (const auto& [vertex, weight] : weights)
-    if (weight != 0) sum += weight * values[vertex.index()];
+    if (weight != 0 && vertex.index() >= values.size())
+      throw InputError("values",
+                       std::to_string(values.size()) + " values for vertex " + std::to_string(vertex.raw),
+                       "give one a vertex id");
+    else if (weight != 0)
+      sum += weight * values[vertex.index()];
   return {where, sum};
 }
 
