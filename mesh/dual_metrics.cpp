@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/dual_metrics.hpp"
 
+#include <string>
+
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/check/same_mesh.hpp"
+
 namespace leonhard::mesh {
 namespace {
 
@@ -10,6 +15,12 @@ Vec2 turned_clockwise(Vec2 v) { return {v.y, -v.x}; }
 
 DualMetrics straight_dual(const TriangleMesh& mesh, const EdgeStructure& edges,
                           const PerId<TriangleId, Point2>& centres) {
+  require_edges_of(mesh, edges);
+  if (centres.size() != mesh.triangle_count())
+    throw InputError("centres",
+                     std::to_string(centres.size()) + " centres for " +
+                         std::to_string(mesh.triangle_count()) + " triangles",
+                     "give one a triangle");
   DualMetrics dual;
   dual.normal.resize(edges.edge_count());
   dual.area.resize(mesh.vertex_count(), 0.0);

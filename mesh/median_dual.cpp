@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/median_dual.hpp"
 
+#include "leonhard/mesh/check/same_mesh.hpp"
+
 namespace leonhard::mesh {
 namespace {
 
@@ -33,6 +35,7 @@ Vec2 dual_face(const TriangleMesh& mesh, const std::array<VertexId, 2>& ends,
 }  // namespace
 
 MedianDual median_dual(const TriangleMesh& mesh, const EdgeStructure& edges) {
+  require_edges_of(mesh, edges);
   MedianDual dual;
   dual.normal.resize(edges.edge_count());
   for (const EdgeId e : edges.ends.ids()) {

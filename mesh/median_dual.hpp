@@ -17,6 +17,7 @@ namespace mesh {
 /// The median dual's metrics.
 ///
 /// edges   of this mesh, from build_edges
+/// throws  InputError naming the first edge that is none of the mesh's, or what is missing
 /// Closed to rounding: about each vertex the outward normals and boundary halves add up to zero, the areas
 /// add up to the mesh's. All values are made of differences of coordinates, never of centroids' absolute
 /// positions, so a mesh far from the origin keeps its digits: an interior normal is (o_left - o_right)/3

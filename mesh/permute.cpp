@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/structures/permutation.hpp"
 
 namespace leonhard::mesh {
@@ -33,6 +34,7 @@ std::vector<MarkedEdge> renumbered(std::vector<MarkedEdge> edges,
 TriangleMesh renumber_vertices(const TriangleMesh& mesh, const PerId<VertexId, VertexId>& new_of_old,
                                TriangleOrder order) {
   check_permutation(mesh.vertex_count(), new_of_old);
+  require_ids_in_range(mesh);
   TriangleMesh result;
   result.marker_names = mesh.marker_names;
   result.boundary = renumbered(mesh.boundary, new_of_old);

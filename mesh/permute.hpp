@@ -16,7 +16,8 @@ enum class TriangleOrder {
 /// boundary and constraints keep their order, and each triangle the corner that it starts with.
 ///
 /// new_of_old  a permutation: the new id of each old vertex
-/// throws  InputError if new_of_old is not a permutation of the mesh's vertices
+/// throws  InputError if new_of_old is not a permutation of the mesh's vertices, or the mesh has ids out of range or arrays
+///         of the wrong size
 /// Cost O(vertices + triangles log degree).
 [[nodiscard]] TriangleMesh renumber_vertices(const TriangleMesh& mesh,
                                              const PerId<VertexId, VertexId>& new_of_old,

@@ -3,6 +3,10 @@
 
 #include <array>
 
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/check/same_mesh.hpp"
+#include "leonhard/mesh/words.hpp"
+
 namespace leonhard::mesh {
 namespace {
 
@@ -16,11 +20,16 @@ Vec3 face_part24(const Point3& a, const Point3& b, const Point3& c, const Point3
 }
 
 void add_tet(const TetMesh& mesh, const TetEdges& edges, const std::array<VertexId, 4>& corners,
-             TetDualMetrics& dual) {
+             PerId<EdgeId, char>& used, TetDualMetrics& dual) {
   const auto point = [&](unsigned i) { return mesh.points[corners[i]]; };
   for (const auto& [i, j, k, l] : even_orders) {
+    const MaybeId<EdgeId> e = edges.find(corners[i], corners[j]);
+    if (!e)
+      throw InputError("edges", words(mesh, corners[i], corners[j]) + " is missing",
+                       "give what build_edges makes of this mesh");
+    used[*e] = 1;
     const Vec3 part = 1.0 / 24.0 * face_part24(point(i), point(j), point(k), point(l));
-    Vec3& normal = dual.normal[*edges.find(corners[i], corners[j])];
+    Vec3& normal = dual.normal[*e];
     normal = corners[i] < corners[j] ? normal + part : normal - part;
   }
   const Point3 a = point(0);
@@ -31,10 +40,15 @@ void add_tet(const TetMesh& mesh, const TetEdges& edges, const std::array<Vertex
 }  // namespace
 
 TetDualMetrics median_dual(const TetMesh& mesh, const TetEdges& edges) {
+  require_edge_list_of(mesh, edges);
+  require_boundary_within(mesh);
   TetDualMetrics dual;
   dual.normal.resize(edges.edge_count(), Vec3{});
   dual.volume.resize(mesh.vertex_count(), 0.0);
-  for (const auto& corners : mesh.corners) add_tet(mesh, edges, corners, dual);
+  PerId<EdgeId, char> used(edges.edge_count(), 0);
+  for (const auto& corners : mesh.corners) add_tet(mesh, edges, corners, used, dual);
+  for (const EdgeId e : edges.ends.ids())
+    if (!used[e]) throw_foreign_edge(e, edges.ends[e]);
 
   dual.boundary_normal.reserve(mesh.boundary.size());
   for (const MarkedFace& face : mesh.boundary) {

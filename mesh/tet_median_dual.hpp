@@ -26,7 +26,8 @@ namespace mesh {
 /// the midpoint of an edge, the centroids of the two faces at it and the tetrahedron's centroid; on the boundary by its
 /// thirds of the boundary faces. A volume is a quarter of the vertex's tetrahedra's.
 ///
-/// edges  of this mesh, from build_edges
+/// edges   of this mesh, from build_edges
+/// throws  InputError for edges of another mesh
 /// Closed to rounding: about each vertex the outward normals and boundary thirds add up to zero, the volumes add up to
 /// the mesh's. All values are made of differences of coordinates, never of centroids' absolute positions, so a mesh far
 /// from the origin keeps its digits: the part of edge ab's normal within the positive tetrahedron abcd is half the cross

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/structures/permutation.hpp"
 
 namespace leonhard::mesh {
@@ -78,6 +79,7 @@ void reorder_tets(TetMesh& mesh, const std::vector<TetId>& old_of_new) {
 
 TetMesh renumber_vertices(const TetMesh& mesh, const PerId<VertexId, VertexId>& new_of_old, TetOrder order) {
   check_permutation(mesh.vertex_count(), new_of_old);
+  require_ids_in_range(mesh);
   TetMesh result;
   result.points = renumbered(mesh.points, new_of_old);
   result.vertex_markers = renumbered(mesh.vertex_markers, new_of_old);

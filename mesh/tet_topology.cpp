@@ -6,6 +6,7 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/check/tet_invariants.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/structures/half_faces.hpp"
 
 namespace leonhard::mesh {
@@ -60,6 +61,7 @@ void build_neighbours(TetMesh& mesh) {
 }
 
 std::vector<MarkedFace> boundary_faces(const TetMesh& mesh, Marker marker) {
+  require_ids_in_range(mesh);
   const BoundaryFaces boundary(mesh);
   std::vector<MarkedFace> faces;
   faces.reserve(boundary.faces().size());

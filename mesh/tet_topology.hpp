@@ -23,6 +23,7 @@ void build_neighbours(TetMesh& mesh);
 /// smallest vertex first, sorted by vertices in ascending order.
 ///
 /// marker  of all of them
+/// throws  InputError for an id out of range or an array of the wrong size
 /// Cost O(tetrahedra + boundary log boundary).
 [[nodiscard]] std::vector<MarkedFace> boundary_faces(const TetMesh& mesh, Marker marker = 1);
 

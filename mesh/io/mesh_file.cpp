@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/io/mesh_file.hpp"
 
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
 #include "leonhard/mesh/io/formats/su2.hpp"
@@ -24,6 +25,7 @@ MeshFile read_mesh(const std::filesystem::path& path) {
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
   const std::string extension = known_extension(path, mesh_extensions(), "mesh");
+  mesh::require_ids_in_range(mesh);
   if (extension == ".su2") return write_su2(path, mesh);
   if (extension == ".vtu") return write_vtu(path, mesh);
   if (extension == ".msh") return write_gmsh(path, mesh);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
 
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
 #include "leonhard/mesh/io/formats/medit.hpp"
@@ -27,6 +28,7 @@ TetMeshFile read_tet_mesh(const std::filesystem::path& path) {
 
 void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh) {
   const std::string extension = known_extension(path, tet_mesh_extensions(), "tetrahedral mesh");
+  mesh::require_ids_in_range(mesh);
   if (extension == ".su2") return write_su2(path, mesh);
   if (extension == ".vtu") return write_vtu(path, mesh);
   if (extension == ".msh") return write_gmsh(path, mesh);

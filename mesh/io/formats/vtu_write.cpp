@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
 #include "leonhard/mesh/io/formats/vtu_names.hpp"
@@ -192,9 +193,11 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& fields, std:
 }  // namespace
 
 std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& fields) {
+  mesh::require_ids_in_range(mesh);
   return format(mesh, fields, triangle_type);
 }
 std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& fields) {
+  mesh::require_ids_in_range(mesh);
   return format(mesh, fields, tetrahedron_type);
 }
 
