@@ -1,56 +1,39 @@
 // SPDX-License-Identifier: MIT
 // The program leonhard: reads the command line, runs one subcommand, and turns its outcome into an exit code.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <new>
+#include <string>
 
+#include "leonhard/app/command_line/command_line.hpp"
 #include "leonhard/app/commands/commands.hpp"
-#include "leonhard/app/exit_code.hpp"
-#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/app/failure.hpp"
 #include "leonhard/kernel/self_test.hpp"
-#include "leonhard/mesh/io/atomic_file.hpp"
 
 namespace {
 
-using leonhard::app::ExitCode;
+using namespace leonhard::app;
 
-int say(ExitCode code, const char* what) {
-  std::fprintf(stderr, "leonhard: %s\n", what);
-  return static_cast<int>(code);
+int say(const Failure& failure) {
+  std::fprintf(stderr, "leonhard: %s\n", failure.message.c_str());
+  return static_cast<int>(failure.code);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (const auto broken = leonhard::kernel::floating_point_self_test()) {
-    return say(ExitCode::bad_input, ("this build cannot decide exactly: " + *broken).c_str());
-  }
-  CLI::App program{
-      "Exact Delaunay meshes, mesh graphs and finite-volume flow.\n"
-      "Start with: leonhard solve examples/naca0012/transonic.toml",
-      "leonhard"};
-  program.set_version_flag("--version", std::string("leonhard ") + LEONHARD_VERSION);
-  program.require_subcommand(1);
-  program.failure_message(CLI::FailureMessage::help);
-  ExitCode code = ExitCode::done;
-  leonhard::app::add_commands(program, code);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::Success& wish) {  // --help, --version
-    return program.exit(wish);
-  } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "leonhard: %s\nRun leonhard --help, or leonhard SUBCOMMAND --help.\n", error.what());
-    return static_cast<int>(ExitCode::wrong_usage);
-  }
-  return static_cast<int>(code);
-} catch (const leonhard::InputError& error) {
-  return say(ExitCode::bad_input, error.what());
-} catch (const leonhard::OutputError& error) {
-  return say(ExitCode::bad_input, error.what());
-} catch (const std::bad_alloc&) {
-  return say(ExitCode::bad_input, "out of memory: this machine has too little for a problem of this size");
-} catch (const std::exception& error) {
-  return say(ExitCode::bad_input, error.what());
+  if (const auto broken = leonhard::kernel::floating_point_self_test())
+    return say({ExitCode::bad_input, "this build cannot decide exactly: " + *broken});
+  const ProgramText text{
+      .name = "leonhard",
+      .description =
+          "Exact Delaunay meshes, mesh graphs and finite-volume flow.\n"
+          "Start with: leonhard solve examples/naca0012/transonic.toml",
+      .version = std::string("leonhard ") + LEONHARD_VERSION,
+      .footer =
+          "Exit codes: 0 done, 1 wrong usage, 2 bad input or too little memory, 3 goal not met,\n"
+          "4 stopped, 70 internal error"};
+  return static_cast<int>(run_command_line(text, all_commands(), argc, argv));
+} catch (...) {
+  return say(failure_of(std::current_exception()));
 }

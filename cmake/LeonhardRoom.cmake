@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 # How every room of the house is built: one target a room, flags on targets only.
 
-include(GNUInstallDirs)
-
 # Headers are read as <leonhard/ROOM/FILE.hpp> in the build tree and after installation alike: the build tree
 # holds a folder of links to the rooms.
 set(LEONHARD_BUILD_INCLUDE ${PROJECT_BINARY_DIR}/include)
@@ -31,16 +29,82 @@ function(leonhard_flags target)
   endif()
 endfunction()
 
-# leonhard_room(NAME SOURCES ...): the library target leonhard_NAME with its alias leonhard::NAME.
+# leonhard_unity(TARGET): compile the sources of a folder as one, eight at most: headers are read and templates compiled
+# once for all of them. Names in a folder's unnamed namespaces must differ for it, but for those of meshes of the plane and
+# of space: files of tetrahedra, by their names, are put together apart. Sources with options of their own, and those named
+# SEPARATE, stay alone.
+function(leonhard_unity target)
+  if(NOT LEONHARD_UNITY)
+    return()
+  endif()
+  cmake_parse_arguments(UNITY "" "" "SEPARATE" ${ARGN})
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(directory ${target} SOURCE_DIR)
+  list(TRANSFORM UNITY_SEPARATE PREPEND ${directory}/)
+  set(folders "")
+  foreach(source IN LISTS sources)
+    if(NOT source MATCHES "\\.cpp$")
+      continue()
+    endif()
+    get_filename_component(source ${source} ABSOLUTE BASE_DIR ${directory})
+    get_source_file_property(options ${source} TARGET_DIRECTORY ${target} COMPILE_OPTIONS)
+    get_source_file_property(definitions ${source} TARGET_DIRECTORY ${target} COMPILE_DEFINITIONS)
+    if(source IN_LIST UNITY_SEPARATE OR options OR definitions)
+      set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      continue()
+    endif()
+    get_filename_component(folder ${source} DIRECTORY)
+    get_filename_component(file ${source} NAME)
+    if(file MATCHES "tet")
+      string(APPEND folder /tet)
+    endif()
+    list(APPEND folders ${folder})
+    list(APPEND sources_of_${folder} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    list(LENGTH sources_of_${folder} count)
+    math(EXPR groups "(${count} + 7) / 8")
+    math(EXPR size "(${count} + ${groups} - 1) / ${groups}")
+    file(RELATIVE_PATH name ${directory} ${folder})
+    string(MAKE_C_IDENTIFIER "${name}" name)
+    set(index 0)
+    foreach(source IN LISTS sources_of_${folder})
+      math(EXPR group "${index} / ${size}")
+      math(EXPR index "${index} + 1")
+      set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP "${name}_${group}")
+    endforeach()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# leonhard_room(NAME SOURCES ... SEPARATE ...): the library target leonhard_NAME with its alias leonhard::NAME, a
+# component of the package. Its sources are compiled folder by folder but for the separate ones (leonhard_unity).
 function(leonhard_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;SEPARATE" ${ARGN})
   add_library(leonhard_${name} ${ROOM_SOURCES})
   add_library(leonhard::${name} ALIAS leonhard_${name})
   leonhard_flags(leonhard_${name})
-  target_include_directories(leonhard_${name} PUBLIC
-    $<BUILD_INTERFACE:${LEONHARD_BUILD_INCLUDE}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  set_target_properties(leonhard_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  set_property(GLOBAL APPEND PROPERTY LEONHARD_ROOM_TARGETS leonhard_${name})
+  target_include_directories(leonhard_${name} PUBLIC $<BUILD_INTERFACE:${LEONHARD_BUILD_INCLUDE}>)
+  # Static and shared libraries are made of the same objects.
+  set_target_properties(leonhard_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL ""
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)
+  if(NOT PROJECT_IS_TOP_LEVEL AND NOT LEONHARD_INSTALL)  # another project builds what it links
+    set_target_properties(leonhard_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY LEONHARD_COMPONENTS ${name})
+  # At the end of the room's folder, when all its sources are known.
+  cmake_language(EVAL CODE "cmake_language(DEFER CALL leonhard_unity leonhard_${name} SEPARATE ${ROOM_SEPARATE})")
+endfunction()
+
+# leonhard_needs(NAME COMPONENTS ... PACKAGES ... LINKED_PACKAGES ... LINKED_MODULES ...): what users of an installed room have to
+# find: other rooms; packages of which its headers speak; packages and pkg-config modules (as PREFIX=module) that are linked into
+# it, for which only users of a static library have to look.
+function(leonhard_needs name)
+  cmake_parse_arguments(NEEDS "" "" "COMPONENTS;PACKAGES;LINKED_PACKAGES;LINKED_MODULES" ${ARGN})
+  foreach(kind COMPONENTS PACKAGES LINKED_PACKAGES LINKED_MODULES)
+    set_property(GLOBAL APPEND PROPERTY LEONHARD_${kind}_OF_${name} ${NEEDS_${kind}})
+  endforeach()
 endfunction()
 
 # leonhard_test(ROOM SOURCES ... LIBRARIES ...): one doctest program a room; each test case is one ctest entry.
@@ -50,5 +114,6 @@ function(leonhard_test room)
   leonhard_flags(test_${room})
   target_include_directories(test_${room} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(test_${room} PRIVATE ${TEST_LIBRARIES} doctest::doctest)
+  cmake_language(EVAL CODE "cmake_language(DEFER CALL leonhard_unity test_${room})")
   doctest_discover_tests(test_${room} TEST_PREFIX "${room}: " PROPERTIES LABELS ${room})
 endfunction()

@@ -2,23 +2,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 
-#include "leonhard/delaunay/topology/ghost_triangulation.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 #include "leonhard/kernel/point.hpp"
-#include "leonhard/kernel/progress.hpp"
 
 namespace leonhard::delaunay {
-
-enum class TriangulateOutcome {
-  done,
-  too_few_points,  ///< fewer than three distinct points: the mesh is empty
-  all_collinear,   ///< three or more distinct points, all on one line: the mesh is empty
-  stopped,         ///< a stop was requested: the mesh is empty
-};
 
 /// The ways to the one Delaunay triangulation of a point set. All give the same triangles: ties are broken by
 /// kernel::incircle_perturbed.
@@ -46,21 +37,13 @@ inline constexpr std::array named_algorithms{
     NamedAlgorithm{"randomized", Algorithm::randomized},
     NamedAlgorithm{"lawson", Algorithm::lawson},
 };
+[[nodiscard]] constexpr std::string_view to_string(Algorithm algorithm) {
+  for (const auto& known : named_algorithms) {
+    if (known.algorithm == algorithm) return known.name;
+  }
+  return "";
+}
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
-
-struct AlgorithmOptions {
-  std::uint64_t seed =
-      1;  ///< of the algorithms that draw an order at random; the triangles do not depend on it
-  unsigned threads = 1;  ///< 0: as many as there are cores; only some algorithms use more than one
-  Progress progress;
-};
-
-/// Triangles of a point set as a triangulation of the sphere; corner ids are indices of the points. Empty
-/// unless done.
-struct [[nodiscard]] PointTriangulation {
-  TriangulateOutcome outcome = TriangulateOutcome::done;
-  GhostTriangulation triangulation;
-};
 
 /// The Delaunay triangulation of distinct, finite points by the algorithm named. That they are distinct is a precondition:
 /// triangulate() merges those that are not.

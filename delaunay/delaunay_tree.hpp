@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/plane/triangle_history.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 #include "leonhard/delaunay/topology/ghost_triangulation.hpp"
 #include "leonhard/delaunay/topology/locate.hpp"
 #include "leonhard/kernel/point.hpp"

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/dynamic_tetrahedralization.hpp"
 
-#include <algorithm>
-
 #include "leonhard/delaunay/topology/tet_corners.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::delaunay {
-namespace {
-
-constexpr VertexId ghost = GhostTetrahedralization::ghost;
-
-}  // namespace
 
 DynamicTetrahedralization::DynamicTetrahedralization(std::span<const Point3> points, unsigned threads) {
   insert(points, threads);
@@ -23,36 +16,6 @@ void DynamicTetrahedralization::require_living(VertexId v) const {
   if (!contains(v))
     throw InputError("vertex " + std::to_string(v.raw), "is not in the tetrahedralization",
                      "give the id of a vertex that was inserted and not removed");
-}
-
-std::vector<VertexId> DynamicTetrahedralization::neighbours(VertexId v) const {
-  require_living(v);
-  if (!has_tets()) return {};
-  TetStar star;
-  star.collect(cells_, tets_[v], v);
-  std::vector<VertexId> all(star.neighbours().begin(), star.neighbours().end());
-  std::sort(all.begin(), all.end());
-  if (all.back() == ghost) all.pop_back();  // of the highest number
-  return all;
-}
-
-std::vector<VertexQuadruple> DynamicTetrahedralization::tetrahedra_at(VertexId v) const {
-  require_living(v);
-  std::vector<VertexQuadruple> all;
-  if (!has_tets()) return all;
-  TetStar star;
-  star.collect(cells_, tets_[v], v);
-  for (const TetId t : star.tets())
-    if (!cells_.is_ghost(t)) all.push_back(cells_.corners[t]);
-  return all;
-}
-
-bool DynamicTetrahedralization::on_hull(VertexId v) const {
-  require_living(v);
-  if (!has_tets()) return true;
-  TetStar star;
-  star.collect(cells_, tets_[v], v);
-  return std::any_of(star.tets().begin(), star.tets().end(), [&](TetId t) { return cells_.is_ghost(t); });
 }
 
 DynamicTetrahedralization::Mesh DynamicTetrahedralization::to_mesh() const {

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "leonhard/delaunay/dynamic_queries.hpp"
+#include "leonhard/delaunay/extent.hpp"
+#include "leonhard/delaunay/location.hpp"
 #include "leonhard/delaunay/space/coplanar_points.hpp"
-#include "leonhard/delaunay/space/first_tetrahedron.hpp"
 #include "leonhard/delaunay/topology/ghost_tetrahedralization.hpp"
 #include "leonhard/delaunay/topology/tet_cavity.hpp"
+#include "leonhard/delaunay/topology/tet_conflict_zone.hpp"
 #include "leonhard/delaunay/topology/tet_replacement.hpp"
 #include "leonhard/delaunay/topology/tet_star.hpp"
 #include "leonhard/delaunay/topology/tetrahedralization_views.hpp"
+#include "leonhard/delaunay/voronoi_corner.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 #include "leonhard/mesh/id.hpp"
@@ -22,22 +25,28 @@
 
 namespace leonhard::delaunay {
 
-/// Where a point of space lies: a closed set of answers, each of which depends on the vertices and the point alone.
-struct SpaceLocation {
-  enum class Kind {
-    on_vertex,       ///< at vertices[0]
-    on_edge,         ///< strictly between vertices[0] < vertices[1]
-    on_face,         ///< strictly inside the triangle of vertices[0] < vertices[1] < vertices[2]
-    in_tetrahedron,  ///< strictly inside that of the four vertices, positive, the two least first, in rising order
-    in_span,  ///< while all vertices are coplanar: in the plane or on the line that they span, and at none of them
-    outside,  ///< not in the convex hull of the vertices; while they are coplanar, not in what they span
+/// The part of space that is nearer to a vertex than to any other: a convex polyhedron, maybe without bound.
+///
+/// Topology is exact: tetrahedra with the same circumsphere make one corner, and vertices whose cells touch this one in an
+/// edge or a corner only are not across a face. Only the corners' coordinates are rounded.
+struct TetVoronoiCell {
+  struct Face {
+    VertexId across;                   ///< the vertex beyond
+    std::vector<std::size_t> corners;  ///< indices of corners, counter-clockwise as seen from beyond
+    /// Of an unbounded face two indices of rays: it comes from infinity along the first to its first corner, and goes from
+    /// its last corner to infinity along the second.
+    std::vector<std::size_t> rays;
   };
-  Kind kind = Kind::outside;
-  std::array<MaybeId<VertexId>, 4> vertices;  ///< as many as the kind says, then none
+  /// An edge that goes to infinity.
+  struct Ray {
+    std::size_t corner;  ///< where it starts
+    Vec3 direction;  ///< of length 1; 0 where the face of the hull that it is normal to is too thin to say
+  };
+  std::vector<VoronoiCorner<Point3>> corners;
+  std::vector<Ray> rays;    ///< none if the cell is bounded
+  std::vector<Face> faces;  ///< in rising order of the vertices beyond
 
-  /// Whether there is a vertex, an edge, a face or a tetrahedron that holds the point.
-  [[nodiscard]] bool inside() const { return kind != Kind::outside && kind != Kind::in_span; }
-  friend bool operator==(const SpaceLocation&, const SpaceLocation&) = default;
+  [[nodiscard]] bool is_bounded() const { return !corners.empty() && rays.empty(); }
 };
 
 /// The Delaunay tetrahedralisation of a point set that changes: points come and go in any order, and at any time the
@@ -57,17 +66,11 @@ struct SpaceLocation {
 /// tetrahedra finds none, locate tells vertices, the rest of their span and the outside apart. The point that leaves the
 /// plane makes the tetrahedra, removing the last one off a plane takes them away.
 ///
-/// Queries do not change anything, not even unseen, so any number of threads may query at once. A hint is any vertex
-/// thought to be near; it changes the time alone, and one that does not live is ignored. A walk that does not arrive
-/// soon starts again from the nearest of some vertices drawn at random ("jump and walk": Mücke, Saias and Zhu, SoCG
-/// 1996): expected O(n^(1/4)) for points spread evenly, O(1) from a near hint. Without a hint it starts from where
-/// something was changed last.
-///
 /// throws  InputError on a point that is not finite and on a vertex that does not live, nothing changed; the same for
 ///         points that are not finite in queries
 /// Memory: 28 bytes a vertex and 33 a tetrahedron, ghosts on the hull included, at the largest that it has been; a map's
 /// node for each vertex while all are coplanar.
-class DynamicTetrahedralization {
+class DynamicTetrahedralization : public DynamicQueries<DynamicTetrahedralization, Point3, TetLocation> {
  public:
   DynamicTetrahedralization() = default;
   /// As insert(points).
@@ -75,10 +78,7 @@ class DynamicTetrahedralization {
 
   // ---- Changes ----
 
-  struct Inserted {
-    VertexId vertex;
-    bool is_new;  ///< false: the vertex was there, at the same coordinates (-0 equal to +0)
-  };
+  using Inserted = delaunay::Inserted;
   /// Cost: that of locate and O(k log k) for k tetrahedra made, some 27 for points that fill space, at worst all n; that
   /// of tetrahedralize() where the extent becomes space.
   /// Method: Bowyer 1981 and Watson 1981 with a ghost vertex.
@@ -100,7 +100,7 @@ class DynamicTetrahedralization {
 
   [[nodiscard]] std::size_t size() const { return points_.size() - free_.size(); }  ///< number of vertices
   [[nodiscard]] bool empty() const { return size() == 0; }
-  [[nodiscard]] SpaceExtent extent() const { return has_tets() ? SpaceExtent::space : flat_.extent(); }
+  [[nodiscard]] Extent extent() const { return has_tets() ? Extent::space : flat_.extent(); }
   /// All ids are below: the size of an array by vertex.
   [[nodiscard]] std::size_t id_bound() const { return points_.size(); }
   [[nodiscard]] bool contains(VertexId v) const { return points_.contains(v) && is_finite(points_[v]); }
@@ -110,15 +110,26 @@ class DynamicTetrahedralization {
     return points_[v];
   }
 
-  [[nodiscard]] SpaceVertexView vertices() const { return SpaceVertexView(points_.flat()); }
-  [[nodiscard]] TetrahedronView tetrahedra() const { return TetrahedronView(cells_); }
+  [[nodiscard]] TetVertexView vertices() const { return TetVertexView(points_.flat()); }
+  /// The ends of each edge, each edge once, in no particular order. Cost of going through all: O(tetrahedra).
+  [[nodiscard]] TetEdgeView edges() const { return TetEdgeView(cells_); }
+  [[nodiscard]] std::size_t edge_count() const;  ///< cost O(vertices on the hull)
+  /// The corners of each tetrahedron, positive, in no particular order.
+  [[nodiscard]] TetView tets() const { return TetView(cells_); }
+  [[nodiscard]] std::size_t tet_count() const;  ///< cost O(vertices on the hull)
   /// The other ends of a vertex's edges, in rising order. Cost O(degree).
   [[nodiscard]] std::vector<VertexId> neighbours(VertexId v) const;
   /// The corners, positive, of each tetrahedron at a vertex, in no particular order. Cost O(degree).
-  [[nodiscard]] std::vector<VertexQuadruple> tetrahedra_at(VertexId v) const;
+  [[nodiscard]] std::vector<VertexQuadruple> tets_at(VertexId v) const;
   /// Whether a vertex lies on the boundary of the convex hull, in whatever part of it; true of all vertices while they
   /// are coplanar. Cost O(degree).
   [[nodiscard]] bool on_hull(VertexId v) const;
+  /// The triangles of the convex hull's boundary, each counter-clockwise as seen from outside with the least id first, in
+  /// rising order; none while all vertices are coplanar. Cost O(k log k) for k of them.
+  [[nodiscard]] std::vector<VertexTriple> hull() const;
+  /// The vertex's cell among the vertices that there are; empty while all of them are coplanar. Cost O(k log k) for k
+  /// tetrahedra at the vertex.
+  [[nodiscard]] TetVoronoiCell voronoi_cell(VertexId v) const;
 
   struct Mesh {
     TetMesh mesh;  ///< empty unless there are tetrahedra; boundary faces have marker 1
@@ -128,22 +139,6 @@ class DynamicTetrahedralization {
   /// mesh::fingerprint of to_mesh(): that of tetrahedralize() for the same points.
   [[nodiscard]] Fingerprint fingerprint() const { return mesh::fingerprint(to_mesh().mesh); }
 
-  // ---- Queries ----
-
-  [[nodiscard]] SpaceLocation locate(const Point3& p, MaybeId<VertexId> hint = {}) const;
-  /// The vertex nearest to p by exact comparison, of several equally near the lexicographically first; none if there is
-  /// no vertex. Cost: that of locate and some vertices' neighbours; O(n) while all vertices are coplanar.
-  [[nodiscard]] MaybeId<VertexId> nearest_vertex(const Point3& p, MaybeId<VertexId> hint = {}) const;
-
-  // ---- Many queries at once ----
-  //
-  // The answers in the order of the points, equal to those of single queries. Points are visited along a Hilbert curve,
-  // each walk starting where the last one ended, in blocks that threads share; threads 0: as many as there are cores.
-
-  [[nodiscard]] std::vector<SpaceLocation> locate(std::span<const Point3> points, unsigned threads = 0) const;
-  [[nodiscard]] std::vector<MaybeId<VertexId>> nearest_vertices(std::span<const Point3> points,
-                                                                unsigned threads = 0) const;
-
   /// The first broken invariant in words, none if all hold: removed ids and coordinates agree; while all vertices are
   /// coplanar, every one is in its place and in the span; else the tetrahedralisation of the 3-sphere is one, the
   /// tetrahedra about every vertex, the ghost too, close to a sphere by Euler's formula and make up all there are, every
@@ -152,21 +147,33 @@ class DynamicTetrahedralization {
   [[nodiscard]] std::optional<std::string> validate() const;
 
  private:
+  friend class DynamicQueries<DynamicTetrahedralization, Point3, TetLocation>;
+
   /// What a query keeps to itself: where the next walk starts, and buffers.
   struct Search {
     explicit Search(MaybeId<VertexId> near_to) : near(near_to) {}
     MaybeId<VertexId> near;
     TetStar star;
+    TetConflictZone zone;
+    std::vector<VertexWeight> weights;
   };
   [[nodiscard]] bool has_tets() const { return cells_.tet_count() > 0; }
   [[nodiscard]] Search search_for(const Point3& p, MaybeId<VertexId> hint) const;
   [[nodiscard]] VertexId sampled_vertex(const Point3& p, VertexId best) const;
   [[nodiscard]] TetId find(const Point3& p, Search& search) const;
-  [[nodiscard]] SpaceLocation answer(const Point3& p, TetId found) const;
-  [[nodiscard]] SpaceLocation locate_in_span(const Point3& p) const;
-  [[nodiscard]] SpaceLocation locate(const Point3& p, Search& search) const;
-  [[nodiscard]] MaybeId<VertexId> nearest_vertex(const Point3& p, Search& search) const;
+  [[nodiscard]] TetLocation answer(const Point3& p, TetId found) const;
+  [[nodiscard]] TetLocation locate_in_span(const Point3& p) const;
+  [[nodiscard]] TetLocation locate_from(const Point3& p, Search& search) const;
+  [[nodiscard]] MaybeId<VertexId> nearest_from(const Point3& p, Search& search) const;
   [[nodiscard]] bool is_nearer(const Point3& p, VertexId a, VertexId b) const;
+  void collect_neighbours(VertexId v, Search& search, std::vector<VertexId>& into) const;
+  TetLocation::Kind find_linear_weights(const Point3& p, Search& search) const;
+  TetLocation::Kind find_natural_weights(const Point3& p, Search& search) const;
+  [[nodiscard]] bool zone_is_flat_on_hull(const TetConflictZone& zone) const;
+  struct HullSize {
+    std::size_t vertices{}, faces{};
+  };
+  [[nodiscard]] HullSize hull_size() const;
 
   void require_living(VertexId v) const;
   VertexId new_vertex(const Point3& p);

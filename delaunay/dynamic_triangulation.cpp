@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/dynamic_triangulation.hpp"
 
-#include <algorithm>
-
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::delaunay {
@@ -30,24 +28,6 @@ NeighbourView DynamicTriangulation::neighbours(VertexId v) const {
   return NeighbourView(line_.around(points_[v]));
 }
 
-std::vector<VertexId> DynamicTriangulation::hull() const {
-  std::vector<VertexId> loop;
-  if (extent() != Extent::plane) {
-    for (const auto& [point, vertex] : line_) loop.push_back(vertex);
-    return loop;
-  }
-  // Sides turn counter-clockwise about the ghost, which looks at the hull from behind.
-  SideId side = ghost_side_;
-  do {
-    loop.push_back(triangles_.destination(side));
-    side = triangles_.turn_about_origin(side);
-  } while (side != ghost_side_);
-  std::reverse(loop.begin(), loop.end());
-  const auto before = [&](VertexId a, VertexId b) { return points_[a] < points_[b]; };
-  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), before), loop.end());
-  return loop;
-}
-
 DynamicTriangulation::Mesh DynamicTriangulation::to_mesh() const {
   Mesh result;
   result.mesh_vertex.resize(id_bound());
@@ -57,22 +37,19 @@ DynamicTriangulation::Mesh DynamicTriangulation::to_mesh() const {
   mesh.vertex_markers.resize(mesh.points.size(), 0);
 
   const auto mesh_vertex = [&](VertexId v) { return *result.mesh_vertex[v.index()]; };
-  std::vector<MaybeId<TriangleId>> mesh_triangle(triangles_.triangle_count());
-  for (std::size_t i = 0; i < mesh_triangle.size(); ++i) {
-    const TriangleId t = TriangleId::from(i);
-    if (triangles_.is_ghost(t)) continue;
-    mesh_triangle[i] =
-        mesh.corners.push_back({mesh_vertex(triangles_.corner(t, 0)), mesh_vertex(triangles_.corner(t, 1)),
-                                mesh_vertex(triangles_.corner(t, 2))});
-  }
+  PerId<AnyTriangleId, MaybeId<TriangleId>> mesh_triangle(triangles_.triangle_count());
+  for (const AnyTriangleId t : mesh_triangle.ids())
+    if (!triangles_.is_ghost(t))
+      mesh_triangle[t] =
+          mesh.corners.push_back({mesh_vertex(triangles_.corner(t, 0)), mesh_vertex(triangles_.corner(t, 1)),
+                                  mesh_vertex(triangles_.corner(t, 2))});
   mesh.neighbours.resize(mesh.corners.size());
   mesh.regions.resize(mesh.corners.size(), 0);
-  for (std::size_t i = 0; i < mesh_triangle.size(); ++i) {
-    if (!mesh_triangle[i]) continue;
-    for (unsigned k = 0; k < 3; ++k) {
-      const TriangleId behind = triangles_.triangle(triangles_.twin(triangles_.side(TriangleId::from(i), k)));
-      mesh.neighbours[*mesh_triangle[i]][k] = mesh_triangle[behind.index()];
-    }
+  for (const AnyTriangleId t : mesh_triangle.ids()) {
+    if (!mesh_triangle[t]) continue;
+    for (unsigned k = 0; k < 3; ++k)
+      mesh.neighbours[*mesh_triangle[t]][k] =
+          mesh_triangle[triangles_.triangle(triangles_.twin(triangles_.side(t, k)))];
   }
   const std::vector<VertexId> loop = hull();
   for (std::size_t i = 0; i < loop.size(); ++i)

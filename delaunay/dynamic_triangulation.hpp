@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "leonhard/delaunay/dynamic/vertex_weights.hpp"
+#include "leonhard/delaunay/dynamic_queries.hpp"
+#include "leonhard/delaunay/extent.hpp"
+#include "leonhard/delaunay/location.hpp"
 #include "leonhard/delaunay/plane/collinear_points.hpp"
 #include "leonhard/delaunay/topology/cavity.hpp"
 #include "leonhard/delaunay/topology/ghost_triangulation.hpp"
 #include "leonhard/delaunay/topology/locate.hpp"
 #include "leonhard/delaunay/topology/star.hpp"
 #include "leonhard/delaunay/topology/triangulation_views.hpp"
+#include "leonhard/delaunay/voronoi_corner.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 #include "leonhard/mesh/id.hpp"
@@ -23,45 +24,22 @@
 
 namespace leonhard::delaunay {
 
-/// What the vertices span.
-enum class Extent {
-  nothing,  ///< there is no vertex
-  point,    ///< one vertex
-  line,     ///< two or more vertices, all on one line
-  plane,    ///< there are triangles
+/// The part of the plane that is nearer to a vertex than to any other: a convex polygon, maybe without bound.
+///
+/// Topology is exact: triangles with the same circumcircle make one corner, and vertices whose cells only touch this one in
+/// a corner are not across a side. Only the corners' coordinates are rounded.
+struct VoronoiCell {
+  /// Counter-clockwise; of an unbounded cell from the side that comes from infinity.
+  std::vector<VoronoiCorner<Point2>> corners;
+  /// The vertex beyond each side, counter-clockwise; side i ends in corners[i]. An unbounded cell with corners has one side
+  /// more than these: the first comes from infinity, the last goes there. Without corners, while all vertices lie on one
+  /// line, each side is the whole bisector.
+  std::vector<VertexId> across;
+  /// Of an unbounded cell with corners, of length 1: in which directions the first and the last side reach infinity.
+  std::vector<Vec2> rays;
+
+  [[nodiscard]] bool is_bounded() const { return !corners.empty() && rays.empty(); }
 };
-
-/// Where a point lies: a closed set of answers, each of which depends on the vertices and the point alone.
-struct PointLocation {
-  enum class Kind {
-    on_vertex,    ///< at vertices[0]
-    on_edge,      ///< strictly between vertices[0] < vertices[1], of the triangulation or of the line
-    in_triangle,  ///< strictly inside the triangle of the three vertices, counter-clockwise, the least id first
-    outside,  ///< not in the convex hull of the vertices, which may be a triangle, a segment, a point or nothing
-  };
-  Kind kind = Kind::outside;
-  std::array<MaybeId<VertexId>, 3> vertices;  ///< as many as the kind says, then none
-
-  [[nodiscard]] bool inside() const { return kind != Kind::outside; }
-  friend bool operator==(const PointLocation&, const PointLocation&) = default;
-};
-
-/// Vertices whose convex combination a point is.
-struct NaturalNeighbours {
-  PointLocation::Kind where = PointLocation::Kind::outside;
-  std::vector<VertexWeight> weights;  ///< of sum 1; empty outside
-};
-
-/// A value at a point.
-struct Interpolated {
-  PointLocation::Kind where = PointLocation::Kind::outside;
-  double value{};  ///< NaN outside
-
-  [[nodiscard]] bool inside() const { return where != PointLocation::Kind::outside; }
-};
-/// The sum of weighted values, values[v.index()] that of v. throws InputError if one is missing
-[[nodiscard]] Interpolated interpolated(PointLocation::Kind where, std::span<const VertexWeight> weights,
-                                        std::span<const double> values);
 
 /// The Delaunay triangulation of a point set that changes: points come and go in any order, and at any time
 /// the triangles are those that triangulate() would give for the points that are there, ties included
@@ -79,16 +57,10 @@ struct Interpolated {
 /// No point, one point and points on one line are states like any other (extent()): the point that leaves the
 /// line makes the triangles, and removing the last one off a line takes them away.
 ///
-/// Queries do not change anything, not even unseen, so any number of threads may query at once. A hint is any
-/// vertex thought to be near; it changes the time alone, and one that does not live is ignored. A walk that
-/// does not arrive soon starts again from the nearest of some vertices drawn at random ("jump and walk":
-/// Mücke, Saias and Zhu, SoCG 1996): expected O(n^(1/3)) for points spread evenly, O(1) from a near hint.
-/// Without a hint it starts from where something was changed last.
-///
 /// throws  InputError on a point that is not finite and on a vertex that does not live, nothing changed; the
 ///         same for points that are not finite in queries
 /// Memory: 68 bytes a vertex, and a map's node for each vertex while all lie on one line.
-class DynamicTriangulation {
+class DynamicTriangulation : public DynamicQueries<DynamicTriangulation, Point2, PointLocation> {
  public:
   DynamicTriangulation() = default;
   /// As insert(points).
@@ -96,10 +68,7 @@ class DynamicTriangulation {
 
   // ---- Changes ----
 
-  struct Inserted {
-    VertexId vertex;
-    bool is_new;  ///< false: the vertex was there, at the same coordinates (-0 equal to +0)
-  };
+  using Inserted = delaunay::Inserted;
   /// Cost: that of locate and O(degree), expected O(1) for points in random order; O(n) where the extent
   /// becomes a plane. Method: Bowyer 1981 and Watson 1981 (Barth's notes 3.3b) with a ghost vertex.
   Inserted insert(Point2 p, MaybeId<VertexId> hint = {});
@@ -129,12 +98,27 @@ class DynamicTriangulation {
   }
 
   [[nodiscard]] VertexView vertices() const { return VertexView(points_.flat()); }
+  /// The ends of each edge, each edge once, in no particular order; on a line, the pieces between vertices that follow
+  /// each other.
   [[nodiscard]] EdgeView edges() const { return EdgeView(triangles_, line_); }
+  [[nodiscard]] std::size_t edge_count() const;  ///< cost O(vertices on the hull)
+  /// The corners of each triangle, counter-clockwise, in no particular order.
   [[nodiscard]] TriangleView triangles() const { return TriangleView(triangles_); }
+  [[nodiscard]] std::size_t triangle_count() const;  ///< cost O(vertices on the hull)
+  /// The other ends of a vertex's edges, counter-clockwise; on a line, the vertex before and the one after it.
   [[nodiscard]] NeighbourView neighbours(VertexId v) const;
+  /// The corners of each triangle at a vertex, counter-clockwise, the vertex first; the triangles counter-clockwise about
+  /// it too, on the hull from the first one within. Cost O(degree).
+  [[nodiscard]] std::vector<VertexTriple> triangles_at(VertexId v) const;
+  /// Whether a vertex lies on the boundary of the convex hull, within its straight parts too; true of all vertices while
+  /// they lie on one line. Cost O(degree).
+  [[nodiscard]] bool on_hull(VertexId v) const;
   /// The vertices on the boundary of the convex hull, those within its straight parts too, counter-clockwise
   /// from the lexicographically first. All vertices in lexicographic order if they lie on one line.
   [[nodiscard]] std::vector<VertexId> hull() const;
+
+  /// The vertex's cell among the vertices that there are. Cost O(degree).
+  [[nodiscard]] VoronoiCell voronoi_cell(VertexId v) const;
 
   struct Mesh {
     TriangleMesh mesh;  ///< empty unless there are triangles; boundary edges have marker 1
@@ -144,44 +128,6 @@ class DynamicTriangulation {
   /// mesh::fingerprint of to_mesh(): that of triangulate() for the same points.
   [[nodiscard]] Fingerprint fingerprint() const { return mesh::fingerprint(to_mesh().mesh); }
 
-  // ---- Queries ----
-
-  [[nodiscard]] PointLocation locate(Point2 p, MaybeId<VertexId> hint = {}) const;
-  /// The vertex nearest to p by exact comparison, of several equally near the lexicographically first; none
-  /// if there is no vertex.
-  [[nodiscard]] MaybeId<VertexId> nearest_vertex(Point2 p, MaybeId<VertexId> hint = {}) const;
-  /// Sibson's weights: the shares of the Voronoi cell that p would have if it were inserted, by the cells
-  /// that they are cut from. On an edge of the hull and on a line the limit, linear between the edge's ends;
-  /// on a vertex that vertex alone.
-  /// Method: R. Sibson, "A brief description of natural neighbour interpolation" (1981); see sibson_weights
-  /// for accuracy. Cost: that of insert.
-  [[nodiscard]] NaturalNeighbours natural_neighbours(Point2 p, MaybeId<VertexId> hint = {}) const;
-  /// The value at p of the function that is linear on each triangle (each edge, on a line).
-  ///
-  /// values  one an id, values[v.index()] that of v; InputError if there are fewer than id_bound()
-  [[nodiscard]] Interpolated interpolate_linear(Point2 p, std::span<const double> values,
-                                                MaybeId<VertexId> hint = {}) const;
-  /// The sum of the values times natural_neighbours(p).weights: continuous, smooth but at the vertices, and
-  /// exact for linear functions.
-  [[nodiscard]] Interpolated interpolate_natural_neighbour(Point2 p, std::span<const double> values,
-                                                           MaybeId<VertexId> hint = {}) const;
-
-  // ---- Many queries at once ----
-  //
-  // The answers in the order of the points, equal to those of single queries. Points are visited along a
-  // Hilbert curve, each walk starting where the last one ended, in blocks that threads share; threads 0: as
-  // many as there are cores.
-
-  [[nodiscard]] std::vector<PointLocation> locate(std::span<const Point2> points, unsigned threads = 0) const;
-  [[nodiscard]] std::vector<MaybeId<VertexId>> nearest_vertices(std::span<const Point2> points,
-                                                                unsigned threads = 0) const;
-  [[nodiscard]] std::vector<Interpolated> interpolate_linear(std::span<const Point2> points,
-                                                             std::span<const double> values,
-                                                             unsigned threads = 0) const;
-  [[nodiscard]] std::vector<Interpolated> interpolate_natural_neighbour(std::span<const Point2> points,
-                                                                        std::span<const double> values,
-                                                                        unsigned threads = 0) const;
-
   /// The first broken invariant in words, none if all hold: removed ids and coordinates agree; on a line,
   /// every vertex is in its place and all are collinear; in the plane, the triangulation of the sphere is
   /// one, has 2 n - 2 triangles, every one real and counter-clockwise or a ghost, every vertex with one ring
@@ -190,6 +136,8 @@ class DynamicTriangulation {
   [[nodiscard]] std::optional<std::string> validate() const;
 
  private:
+  friend class DynamicQueries<DynamicTriangulation, Point2, PointLocation>;
+
   /// What a query keeps to itself: where the next walk starts, and buffers.
   struct Search {
     explicit Search(MaybeId<VertexId> near_to) : near(near_to) {}
@@ -200,34 +148,37 @@ class DynamicTriangulation {
   };
   [[nodiscard]] Search search_for(Point2 p, MaybeId<VertexId> hint) const;
 
-  [[nodiscard]] TriangleId triangle_at(VertexId v) const;
-  [[nodiscard]] TriangleId triangle_towards(Point2 p, Search& search) const;
+  [[nodiscard]] AnyTriangleId triangle_at(VertexId v) const;
+  [[nodiscard]] AnyTriangleId triangle_towards(Point2 p, Search& search) const;
   [[nodiscard]] VertexId sampled_vertex(Point2 p, VertexId best) const;
   [[nodiscard]] Location find(Point2 p, Search& search) const;
   [[nodiscard]] PointLocation answer(Location found) const;
   [[nodiscard]] PointLocation locate_on_line(Point2 p) const;
-  [[nodiscard]] PointLocation locate(Point2 p, Search& search) const;
-  [[nodiscard]] MaybeId<VertexId> nearest_vertex(Point2 p, Search& search) const;
+  [[nodiscard]] PointLocation locate_from(Point2 p, Search& search) const;
+  [[nodiscard]] MaybeId<VertexId> nearest_from(Point2 p, Search& search) const;
   [[nodiscard]] bool is_nearer(Point2 p, VertexId a, VertexId b) const;
+  void collect_neighbours(VertexId v, Search& search, std::vector<VertexId>& into) const;
   PointLocation::Kind find_linear_weights(Point2 p, Search& search) const;
   PointLocation::Kind find_natural_weights(Point2 p, Search& search) const;
   void weigh(Point2 p, const PointLocation& at, std::vector<VertexWeight>& weights) const;
   [[nodiscard]] bool on_hull(SideId side) const;
-  void require_values(std::span<const double> values) const;
+  [[nodiscard]] std::size_t hull_size() const;
+  [[nodiscard]] SideId first_side_within(VertexId v) const;
+  [[nodiscard]] bool has_one_circle(SideId side) const;
 
   void require_living(VertexId v) const;
   VertexId new_vertex(Point2 p);
   void kill(VertexId v);
   Inserted insert_on_line(Point2 p);
-  VertexId insert_in_plane(Point2 p, TriangleId destroyed);
+  VertexId insert_in_plane(Point2 p, AnyTriangleId destroyed);
   void insert_first(std::span<const Point2> points, std::vector<VertexId>& vertex_of, unsigned threads);
   void fan_over_line(VertexId v);
   void add_ghosts(std::span<const SideId> hull_sides);
   [[nodiscard]] bool star_surrounds_a_line() const;
   void collapse_to_line();
-  void erase_triangle(TriangleId t);
+  void erase_triangle(AnyTriangleId t);
   void set_side(VertexId v, SideId side);
-  void set_sides_of(TriangleId t);
+  void set_sides_of(AnyTriangleId t);
 
   [[nodiscard]] std::optional<std::string> broken_id() const;
   [[nodiscard]] std::optional<std::string> broken_line() const;

@@ -53,10 +53,12 @@ void require_values(const SwapCriterion& criterion, std::size_t points) {
 /// Corners and neighbours of a mesh from the real triangles, whose numbers are the mesh's.
 void copy_triangles(const GhostTriangulation& in, TriangleMesh& mesh) {
   for (const TriangleId t : mesh.corners.ids()) {
+    const AnyTriangleId real{t.raw};
     for (unsigned i = 0; i < 3; ++i) {
-      const TriangleId beyond = in.triangle(in.twin(in.side(t, i)));
-      mesh.corners[t][i] = in.corner(t, i);
-      mesh.neighbours[t][i] = in.is_ghost(beyond) ? MaybeId<TriangleId>() : MaybeId<TriangleId>(beyond);
+      const AnyTriangleId beyond = in.triangle(in.twin(in.side(real, i)));
+      mesh.corners[t][i] = in.corner(real, i);
+      mesh.neighbours[t][i] =
+          in.is_ghost(beyond) ? MaybeId<TriangleId>() : MaybeId<TriangleId>(TriangleId{beyond.raw});
     }
   }
 }
@@ -73,30 +75,30 @@ class Sweep {
     while (!sees(v, hull_)) hull_ = in_.triangle(in_.twin(in_.side(hull_, 1)));
     cavity_.start(in_, hull_);
     cavity_.grow(in_, [&](SideId inner) {
-      const TriangleId beyond = in_.triangle(in_.twin(inner));
+      const AnyTriangleId beyond = in_.triangle(in_.twin(inner));
       return in_.is_ghost(beyond) && sees(v, beyond);
     });
     cavity_.fill(in_, v);
     hull_ = ghost_into(v);
   }
   /// The triangles just made.
-  [[nodiscard]] const std::vector<TriangleId>& triangles() const { return cavity_.triangles(); }
+  [[nodiscard]] const std::vector<AnyTriangleId>& triangles() const { return cavity_.triangles(); }
 
  private:
-  [[nodiscard]] bool sees(VertexId v, TriangleId ghost) const {
+  [[nodiscard]] bool sees(VertexId v, AnyTriangleId ghost) const {
     return kernel::orient2d(points_[in_.corner(ghost, 1).index()], points_[in_.corner(ghost, 2).index()],
                             points_[v.index()]) == Sign::positive;
   }
   /// Of the two hull edges at v the one from which the walk along ghosts comes to the other.
-  [[nodiscard]] TriangleId ghost_into(VertexId v) const {
-    for (const TriangleId t : cavity_.triangles())
+  [[nodiscard]] AnyTriangleId ghost_into(VertexId v) const {
+    for (const AnyTriangleId t : cavity_.triangles())
       if (in_.is_ghost(t) && in_.corner(t, 2) == v) return t;
     return cavity_.triangles().front();
   }
   GhostTriangulation& in_;
   std::span<const Point2> points_;
   Cavity cavity_;
-  TriangleId hull_{1};  // the ghost to look from
+  AnyTriangleId hull_{1};  // the ghost to look from
 };
 
 /// Sweep over the points; after_each(triangles) follows every insertion.
@@ -138,7 +140,7 @@ class CriterionInserter {
   std::size_t insert(GhostTriangulation& in, VertexId v) {
     join(in, v, locate(in, points_, last_, points_[v.index()], coin_));
     const std::size_t swaps_before = swapper_->swaps();
-    for (const TriangleId t : cavity_.triangles()) {
+    for (const AnyTriangleId t : cavity_.triangles()) {
       for (unsigned i = 0; i < 3; ++i) swapper_->suspect_around(in.side(t, i));
       if (!in.is_ghost(t)) last_ = t;
     }
@@ -154,7 +156,7 @@ class CriterionInserter {
     else
       cavity_.start(in, in.triangle(at.side));
     cavity_.grow(in, [&](SideId inner) {
-      const TriangleId beyond = in.triangle(in.twin(inner));
+      const AnyTriangleId beyond = in.triangle(in.twin(inner));
       return at.kind == Location::Kind::outside && in.is_ghost(beyond) &&
              kernel::orient2d(points_[in.corner(beyond, 1).index()], points_[in.corner(beyond, 2).index()],
                               points_[v.index()]) == Sign::positive;
@@ -165,7 +167,7 @@ class CriterionInserter {
   Criterion criterion_;
   std::optional<EdgeSwapper<Criterion>> swapper_;
   Cavity cavity_;
-  TriangleId last_{0};  // where the next walk starts: real
+  AnyTriangleId last_{0};  // where the next walk starts: real
   Coin coin_;
 };
 
@@ -190,9 +192,11 @@ SwapReport swap_edges(TriangleMesh& mesh, const SwapCriterion& criterion, const 
   GhostTriangulation in = ghost_triangulation(mesh::quad_edge(mesh));
   const ConstraintSet constraints(mesh);
   SwapOptions with_constraints = options;
+  // Numbers are the mesh's, and flips exchange triangles of one region only.
+  const auto region_of = [&](AnyTriangleId t) { return mesh.regions[TriangleId{t.raw}]; };
   with_constraints.is_fixed = [&](const GhostTriangulation& all, SideId s) {
-    const TriangleId t = all.triangle(s), u = all.triangle(all.twin(s));
-    return constraints.contains(all.origin(s), all.destination(s)) || mesh.regions[t] != mesh.regions[u] ||
+    const AnyTriangleId t = all.triangle(s), u = all.triangle(all.twin(s));
+    return constraints.contains(all.origin(s), all.destination(s)) || region_of(t) != region_of(u) ||
            (options.is_fixed && options.is_fixed(all, s));
   };
   const SwapReport report = swap_edges(in, mesh.points.flat(), criterion, with_constraints);
@@ -202,14 +206,14 @@ SwapReport swap_edges(TriangleMesh& mesh, const SwapCriterion& criterion, const 
 
 PointTriangulation triangulate_by_sweep(std::span<const Point2> points, const AlgorithmOptions& options) {
   GhostTriangulation in;
-  return sweep(points, options.progress, in, [](const std::vector<TriangleId>&) {});
+  return sweep(points, options.progress, in, [](const std::vector<AnyTriangleId>&) {});
 }
 
 PointTriangulation triangulate_lawson(std::span<const Point2> points, const AlgorithmOptions& options) {
   GhostTriangulation in;
   EdgeSwapper swapper(in, points, criterion::Delaunay{});
-  return sweep(points, options.progress, in, [&](const std::vector<TriangleId>& made) {
-    for (const TriangleId t : made)
+  return sweep(points, options.progress, in, [&](const std::vector<AnyTriangleId>& made) {
+    for (const AnyTriangleId t : made)
       for (unsigned i = 0; i < 3; ++i) swapper.suspect(in.side(t, i));
     swapper.run();
   });

@@ -5,9 +5,10 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <string_view>
 
-#include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/plane/swap_criterion.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 #include "leonhard/kernel/progress.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -21,6 +22,19 @@ enum class SwapOutcome {
   stopped,     ///< a stop was requested: likewise
 };
 
+/// The word for it, e.g. "settled".
+[[nodiscard]] constexpr std::string_view to_string(SwapOutcome outcome) {
+  switch (outcome) {
+    case SwapOutcome::settled:
+      return "settled";
+    case SwapOutcome::swap_limit:
+      return "swap_limit";
+    case SwapOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 struct [[nodiscard]] SwapReport {
   SwapOutcome outcome = SwapOutcome::settled;
   std::size_t swaps = 0;
@@ -28,9 +42,9 @@ struct [[nodiscard]] SwapReport {
 
 struct SwapOptions {
   std::size_t max_swaps = std::numeric_limits<std::size_t>::max();
-  Progress progress;  ///< every 4096 edges; fraction: edges looked at, of these and the suspects left
+  Progress progress{};  ///< every 4096 edges; fraction: edges looked at, of these and the suspects left
   /// Edges that may not be swapped, by one of their sides. Empty: none.
-  std::function<bool(const GhostTriangulation&, SideId)> is_fixed;
+  std::function<bool(const GhostTriangulation&, SideId)> is_fixed{};
 };
 
 /// Swap edges of any triangulation until the criterion is content.

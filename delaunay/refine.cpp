@@ -71,7 +71,7 @@ RefinedMesh mesh_pslg(const Pslg& pslg, const RefineOptions& options) {
   for (const Pslg::Region& region : pslg.regions) region_areas.push_back(region.max_area);
   Refiner(domain.cells, options, std::move(region_areas)).run(result.report);
   assert(!domain.cells.validate());
-  result.mesh = to_mesh(domain, pslg, result.vertex_of_input);
+  result.mesh = to_mesh(domain, pslg, result.vertex_of_input, result.segments);
   assert(!mesh::validate(result.mesh) && !mesh::validate_delaunay(result.mesh));
   options.progress("refine", 1);
   return result;

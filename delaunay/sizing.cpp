@@ -18,7 +18,7 @@ constexpr std::uint32_t leaf_size = 4;
 /// Without hypot's care for overflow, which costs more than the whole rest of a query.
 double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 
-void check(const std::vector<GradedSizing::Source>& sources, double growth, double max_size) {
+void check_sources(const std::vector<GradedSizing::Source>& sources, double growth, double max_size) {
   if (!(growth >= 0) || !std::isfinite(growth))
     throw InputError("GradedSizing", "growth is " + mesh::words(growth),
                      "give a number that is not negative");
@@ -36,7 +36,7 @@ void check(const std::vector<GradedSizing::Source>& sources, double growth, doub
 
 GradedSizing::GradedSizing(std::vector<Source> sources, double growth, double max_size)
     : sources_(std::move(sources)), growth_(growth), max_size_(max_size) {
-  check(sources_, growth, max_size);
+  check_sources(sources_, growth, max_size);
   if (!sources_.empty()) build(0, static_cast<std::uint32_t>(sources_.size()));
 }
 

@@ -16,7 +16,7 @@ namespace leonhard::delaunay {
 class GradedSizing {
  public:
   struct Source {
-    Point2 at;
+    Point2 at{};
     double spacing{};  ///< target edge length at the source, same unit as the coordinates
   };
 

@@ -15,7 +15,7 @@
 namespace leonhard::delaunay {
 
 struct TetrahedralizeOptions {
-  Progress progress;
+  Progress progress{};
   TetAlgorithm algorithm = TetAlgorithm::insertion;  ///< the mesh does not depend on it
   unsigned threads = 1;    ///< 0: as many as there are cores; the mesh does not depend on it
   std::uint64_t seed = 1;  ///< of the random part of the insertion order; the mesh does not depend on it

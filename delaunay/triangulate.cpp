@@ -35,6 +35,7 @@ Triangulation triangulate_points(Pslg pslg, const TriangulateOptions& options) {
   result.vertex_of_input = std::move(mesh.vertex_of_input);
   set_point_markers(pslg, result.vertex_of_input, result.mesh);
   result.mesh.marker_names = std::move(pslg.marker_names);
+  result.segments.boundary.resize(result.mesh.boundary.size());
   return result;
 }
 
@@ -44,7 +45,8 @@ Triangulation triangulate_graph(const Pslg& pslg, const TriangulateOptions& opti
   result.outcome = domain.outcome;
   result.vertex_of_input.resize(pslg.points.size());
   result.repairs = std::move(domain.repairs);
-  if (result.outcome == TriangulateOutcome::done) result.mesh = to_mesh(domain, pslg, result.vertex_of_input);
+  if (result.outcome == TriangulateOutcome::done)
+    result.mesh = to_mesh(domain, pslg, result.vertex_of_input, result.segments);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "leonhard/delaunay/algorithm.hpp"
+#include "leonhard/delaunay/input_segments.hpp"
 #include "leonhard/kernel/progress.hpp"
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/pslg.hpp"
@@ -18,7 +19,7 @@ struct TriangulateOptions {
   /// Keep the whole convex hull. Otherwise, where there are segments, all that can be reached from outside
   /// without crossing a segment is carved away. Holes are carved in both cases.
   bool keep_convex_hull = false;
-  Progress progress;
+  Progress progress{};
   Algorithm algorithm = Algorithm::fast;  ///< the mesh does not depend on it
   unsigned threads = 1;                   ///< 0: as many as there are cores; the mesh does not depend on it
   std::uint64_t seed = 1;                 ///< of randomised algorithms; the mesh does not depend on it
@@ -29,6 +30,8 @@ struct [[nodiscard]] Triangulation {
   TriangleMesh mesh;
   /// One an input point: its vertex. Duplicates share one; none where the point lies in a hole or outside.
   std::vector<MaybeId<VertexId>> vertex_of_input;
+  /// Of each boundary and constraint edge the input segment that it is a part of, exactly.
+  InputSegments segments;
   /// What was mended, in words: merged points, overlapping segments, seeds without effect. Empty: nothing.
   std::vector<std::string> repairs;
 };
@@ -42,9 +45,8 @@ struct [[nodiscard]] Triangulation {
 /// 0).
 ///
 /// Vertices are numbered in the order of the input points that made them. Boundary edges carry their
-/// segment's marker, or 1 where that is 0 or where there is no segment (Triangle's convention).
-/// mesh.constraints holds the interior edges that came from segments, marker kept. Vertex markers are kept as
-/// they were.
+/// segment's marker, 0 included, or 1 where there is no segment. mesh.constraints holds the interior edges that
+/// came from segments, marker kept. Vertex markers are kept as they were.
 ///
 /// throws  InputError: a coordinate that is not finite; a segment's end that is no point; segments that cross
 ///         other than at a shared point; a seed exactly on a segment; segments that enclose nothing although

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "leonhard/kernel/constructions.hpp"
+#include "leonhard/delaunay/plane/circumcentre.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
@@ -17,23 +17,6 @@
 
 namespace leonhard::delaunay {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// v scaled to length 1, whatever its length.
-Vec2 unit(Vec2 v) {
-  const double largest = std::max(std::abs(v.x), std::abs(v.y));
-  const int exponent = std::ilogb(largest);
-  const Vec2 scaled{std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent)};
-  return 1 / norm(scaled) * scaled;
-}
-
-/// b - a, or half of it where that overflows.
-Vec2 towards(Point2 a, Point2 b) {
-  const Vec2 whole = b - a;
-  if (std::isfinite(whole.x) && std::isfinite(whole.y)) return whole;
-  return {0.5 * b.x - 0.5 * a.x, 0.5 * b.y - 0.5 * a.y};
-}
 
 VertexId opposite_corner(const TriangleMesh& mesh, TriangleId t, const std::array<VertexId, 2>& edge) {
   const auto& corners = mesh.corners[t];
@@ -79,27 +62,9 @@ void refuse_what_is_not_convex(const TriangleMesh& mesh) {
   }
 }
 
-/// A point at the end of the doubles' range where the circumcentre of a very flat triangle lies beyond it: on the
-/// bisector of the longest side, away from the triangle.
-Point2 far_point(const std::array<Point2, 3>& corners) {
-  Vec2 longest{};
-  for (unsigned i = 0; i < 3; ++i) {
-    const Vec2 side = towards(corners[i], corners[(i + 1) % 3]);
-    if (norm(0.5 * side) > norm(0.5 * longest)) longest = side;
-  }
-  const Vec2 out = unit({longest.y, -longest.x});
-  return {std::numeric_limits<double>::max() * out.x, std::numeric_limits<double>::max() * out.y};
-}
-
 VoronoiDiagram::Vertex circumcentre(const TriangleMesh& mesh, TriangleId t) {
   const auto& [a, b, c] = mesh.corners[t];
-  const std::array<Point2, 3> corners{mesh.points[a], mesh.points[b], mesh.points[c]};
-  try {
-    const kernel::Circle circle = kernel::circumcircle(corners[0], corners[1], corners[2]);
-    return {circle.centre, circle.centre_error};
-  } catch (const InputError&) {  // a triangle of the mesh has a circle, but its centre is no pair of doubles
-    return {far_point(corners), infinity};
-  }
+  return rounded_circumcentre({mesh.points[a], mesh.points[b], mesh.points[c]});
 }
 
 /// One a triangle: the diagram's vertex. Of the circumcentres that are the same point the most accurate is taken.

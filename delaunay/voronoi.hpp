@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "leonhard/delaunay/triangulate.hpp"
+#include "leonhard/delaunay/voronoi_corner.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/id.hpp"
@@ -27,12 +28,7 @@ using VoronoiEdgeId = Id<struct VoronoiEdgeTag>;
 ///
 /// What is asked of a site throws InputError where there is none of its number; ids of edges are a precondition.
 struct VoronoiDiagram {
-  struct Vertex {
-    Point2 at;
-    /// At most this far from the exact circumcentre (kernel/constructions.hpp). Infinite where that lies beyond the
-    /// largest double: `at` is then a point at the end of the doubles' range, in about its direction.
-    double error{};
-  };
+  using Vertex = VoronoiCorner<Point2>;
   /// Directed, its first site on the left: a segment with two ends, a ray with one, a line (collinear sites) with none.
   struct Edge {
     std::array<VertexId, 2> sites;

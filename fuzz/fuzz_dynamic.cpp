@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Sequences of insertions, removals and queries from bytes, on small integer grids, nearly tenths and raw
+// Sequences of insertions, removals, moves and queries from bytes, on small integer grids, nearly tenths and raw
 // doubles: every invariant after each step, queries against a look at all vertices, and at the end the
 // triangles from scratch.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -53,6 +54,26 @@ class Sequence {
     ids_.erase(chosen);
     check();
   }
+  void move(std::size_t which, Point2 to) {
+    if (ids_.empty()) return;
+    auto chosen = ids_.begin();
+    std::advance(chosen, which % ids_.size());
+    note("move from", chosen->first);
+    note("to", to);
+    const VertexId v = chosen->second;
+    const auto occupant = ids_.find(to);
+    const delaunay::Moved moved = sites_.move(v, to);
+    if (occupant != ids_.end()) {
+      require(moved.vertex == occupant->second, "a move tells the occupant wrongly");
+      require((moved.outcome == delaunay::MoveOutcome::moved) == (occupant == chosen),
+              "a move tells its outcome wrongly");
+    } else {
+      require(moved.outcome == delaunay::MoveOutcome::moved && moved.vertex == v, "a move has changed an id");
+      ids_.erase(chosen);
+      ids_.emplace(to, v);
+    }
+    check();
+  }
   void ask(Point2 p, MaybeId<VertexId> hint) {
     note("ask", p);
     const auto known = ids_.find(p);
@@ -61,6 +82,9 @@ class Sequence {
     require(sites_.locate(p) == at, "the hint changes the location");
     check_nearest(p, sites_.nearest_vertex(p, hint));
     check_weights(at.kind, sites_.natural_neighbours(p, hint));
+    check_k_nearest(p, sites_.k_nearest_vertices(p, 5, hint));
+    check_cells(p);
+    check_counts();
   }
   void check_from_scratch() const {
     std::vector<Point2> points;
@@ -103,6 +127,42 @@ class Sequence {
               "another vertex is nearer");
     }
   }
+  void check_k_nearest(Point2 p, const std::vector<VertexId>& found) const {
+    std::vector<Point2> all;
+    for (const auto& [q, v] : ids_) all.push_back(q);
+    std::stable_sort(all.begin(), all.end(), [&](Point2 a, Point2 b) {
+      return kernel::exact::compare_distance(p, a, b) == Sign::negative;
+    });
+    require(found.size() == std::min<std::size_t>(5, all.size()), "too few or too many nearest vertices");
+    for (std::size_t i = 0; i < found.size(); ++i)
+      require(sites_.point(found[i]) == all[i], "the k nearest vertices are others");
+  }
+  /// p is in the cells of those vertices that no other one is nearer than.
+  void check_cells(Point2 p) const {
+    const MaybeId<VertexId> nearest = sites_.nearest_vertex(p);
+    for (const auto& [q, v] : ids_) {
+      const auto is_nearer = [&](VertexId w) {
+        return kernel::exact::compare_distance(p, sites_.point(w), q) == Sign::negative;
+      };
+      const delaunay::VoronoiCell cell = sites_.voronoi_cell(v);
+      require(std::none_of(cell.across.begin(), cell.across.end(), is_nearer) == !is_nearer(*nearest),
+              "a Voronoi cell lacks a side or has one too many");
+      require(cell.is_bounded() == (sites_.extent() == delaunay::Extent::plane && !sites_.on_hull(v)),
+              "a Voronoi cell is bounded on the hull or unbounded within");
+    }
+  }
+  void check_counts() const {
+    std::size_t edges = 0, triangles = 0, corners = 0, ends = 0;
+    for ([[maybe_unused]] const auto& edge : sites_.edges()) ++edges;
+    for ([[maybe_unused]] const auto& triangle : sites_.triangles()) ++triangles;
+    for (const auto& [q, v] : ids_) {
+      corners += sites_.triangles_at(v).size();
+      for ([[maybe_unused]] const VertexId w : sites_.neighbours(v)) ++ends;
+    }
+    require(edges == sites_.edge_count() && ends == 2 * edges, "edges are counted wrongly");
+    require(triangles == sites_.triangle_count() && corners == 3 * triangles,
+            "triangles are counted wrongly");
+  }
   void check_weights(Kind kind, const delaunay::NaturalNeighbours& found) const {
     require(found.where == kind, "natural_neighbours and locate disagree");
     double sum = 0;
@@ -139,8 +199,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const MaybeId<VertexId> hint = sequence.hint(in.take<std::uint8_t>());
     if (action % 8 < 4)
       sequence.insert(point_from(in, kind), hint);
-    else if (action % 8 < 7)
+    else if (action % 8 < 6)
       sequence.remove(action / 8);
+    else if (action % 8 < 7)
+      sequence.move(action / 8, point_from(in, kind));
     else
       sequence.ask(point_from(in, kind), hint);
   }

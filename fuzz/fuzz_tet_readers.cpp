@@ -19,7 +19,7 @@
 #include "leonhard/mesh/io/formats/tetgen_files.hpp"
 #include "leonhard/mesh/io/points3_file.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
-#include "leonhard/mesh/tet_topology.hpp"
+#include "leonhard/mesh/topology.hpp"
 #include "leonhard/mesh/validate.hpp"
 
 namespace {
@@ -36,9 +36,9 @@ TetMesh sample_mesh(bool with_vertex_markers) {
     return std::array{VertexId{a}, VertexId{b}, VertexId{c}, VertexId{d}};
   };
   PerId<TetId, std::array<VertexId, 4>> corners(std::vector{tet(0, 1, 2, 3), tet(1, 2, 3, 4)});
-  mesh::MarkedFaceRules rules;
+  mesh::MarkedFacetRules rules;
   rules.unlisted_boundary = 2;
-  rules.take_interfaces = true;
+  rules.take_inner_facets = true;
   std::vector<MarkedFace> faces{{{VertexId{0}, VertexId{1}, VertexId{2}}, 5},
                                 {{VertexId{1}, VertexId{2}, VertexId{3}}, 9}};
   TetMesh mesh = mesh::make_tet_mesh(points, corners, faces, {{2, "outer"}, {5, "bottom"}}, "sample", rules);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
@@ -42,6 +43,19 @@ enum class EdgeColourCount {
   stopped          ///< a stop was requested: the colours of colour_edges_greedily
 };
 
+/// The word for it, e.g. "delta".
+[[nodiscard]] constexpr std::string_view to_string(EdgeColourCount count) {
+  switch (count) {
+    case EdgeColourCount::delta:
+      return "delta";
+    case EdgeColourCount::delta_plus_one:
+      return "delta_plus_one";
+    case EdgeColourCount::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 struct [[nodiscard]] EdgeColouring : Colouring {
   EdgeColourCount count{};
   bool certain = false;  ///< the number is known to be the least
@@ -50,7 +64,7 @@ struct [[nodiscard]] EdgeColouring : Colouring {
 struct EdgeColouringOptions {
   std::uint32_t rounds = 5;  ///< attempts at Delta colours before one more is taken
   std::uint64_t seed = 1;
-  Progress progress;  ///< stage "edge colouring"
+  Progress progress{};  ///< stage "edge colouring"
 };
 
 /// Colours of edges such that no two edges of a colour share a vertex: Delta, the largest degree, if the graph is

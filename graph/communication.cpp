@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "leonhard/graph/support/sorted_arcs.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
@@ -56,15 +55,22 @@ std::uint64_t longest(const std::vector<Exchange>& cycle) {
 CommunicationGraph communication_graph(const CsrGraph& graph, const Partition& partition) {
   check_partition(graph, partition);
   CommunicationGraph result;
-  detail::Arcs arcs;
-  for (const auto& [from, to, vertex] : values_sent(graph, partition)) {
-    if (arcs.empty() || arcs.back() != std::pair{from, to}) {
-      arcs.emplace_back(from, to);
-      result.message.push_back(0);
+  CsrGraph::Rows targets;
+  const auto sent = values_sent(graph, partition);
+  auto value = sent.begin();
+  for (std::uint32_t part = 0; part < partition.parts; ++part) {
+    for (; value != sent.end() && (*value)[0] == part; ++value) {
+      const bool new_message =
+          value == sent.begin() || (*value)[0] != (*(value - 1))[0] || (*value)[1] != (*(value - 1))[1];
+      if (new_message) {
+        targets.add_link((*value)[1]);
+        result.message.push_back(0);
+      }
+      ++result.message.back();
     }
-    ++result.message.back();
+    targets.end_row();
   }
-  result.graph = detail::graph_of_sorted_arcs(arcs, partition.parts);
+  result.graph = CsrGraph(std::move(targets));
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
@@ -16,12 +17,25 @@ enum class FiedlerMethod {
 
 enum class FiedlerOutcome { converged, iteration_limit, stopped };
 
+/// The word for it, e.g. "converged".
+[[nodiscard]] constexpr std::string_view to_string(FiedlerOutcome outcome) {
+  switch (outcome) {
+    case FiedlerOutcome::converged:
+      return "converged";
+    case FiedlerOutcome::iteration_limit:
+      return "iteration_limit";
+    case FiedlerOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 struct FiedlerOptions {
   FiedlerMethod method = FiedlerMethod::multilevel;
   double tolerance = 1e-6;             ///< converged when residual <= tolerance * value
   std::uint32_t max_iterations = 600;  ///< products with the Laplacian
   std::uint64_t seed = 1;              ///< of the random start vectors
-  std::stop_token stop;
+  std::stop_token stop{};
 };
 
 /// The second smallest eigenpair of a graph's Laplacian D - A.

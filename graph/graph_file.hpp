@@ -18,18 +18,18 @@ namespace leonhard::graph {
 
 /// What a graph file holds.
 struct GraphFile {
-  CsrGraph graph;
+  CsrGraph graph{};
 
   std::uint32_t weights_each{};              ///< weights of a vertex: 0 where the file gives none
-  std::vector<std::int64_t> vertex_weights;  ///< weights_each a vertex, vertex after vertex
-  std::vector<std::int64_t> edge_weights;    ///< one a directed edge in the graph's order, or empty
+  std::vector<std::int64_t> vertex_weights{};  ///< weights_each a vertex, vertex after vertex
+  std::vector<std::int64_t> edge_weights{};    ///< one a directed edge in the graph's order, or empty
 
   std::size_t self_loops{};        ///< entries from a vertex to itself (a matrix's diagonal), dropped
   std::size_t parallel_edges{};    ///< repetitions of an edge, dropped; the first one's weight counts
   std::uint32_t components{};      ///< connected components
   std::uint32_t first_number = 1;  ///< the file's number of vertex 0
 
-  std::vector<std::string> warnings;  ///< what was left out, in words
+  std::vector<std::string> warnings{};  ///< what was left out, in words
 };
 
 /// Read a graph, format by extension: .graph (METIS), .mtx (Matrix Market), .edges or .csv (a list of edges).

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "leonhard/graph/support/sorted_arcs.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
@@ -24,35 +23,41 @@ std::uint32_t as_vertex_count(std::size_t count, const char* what) {
   return static_cast<std::uint32_t>(count);
 }
 
-/// Both directions of every edge, grouped by source; rows are in the sequence of the list and may repeat.
-struct Rows {
-  std::vector<std::size_t> start;
-  std::vector<std::uint32_t> column;
-};
+enum class Directions { both, as_listed };
 
-Rows rows_of(std::uint32_t vertices, std::span<const Edge> edges) {
-  Rows rows{std::vector<std::size_t>(vertices + std::size_t{1}, 0), {}};
-  for (const Edge& e : edges) {
-    if (e[0] == e[1]) continue;
-    ++rows.start[e[0] + std::size_t{1}];
-    ++rows.start[e[1] + std::size_t{1}];
-  }
-  for (std::size_t v = 0; v < vertices; ++v) rows.start[v + 1] += rows.start[v];
-  rows.column.resize(rows.start.back());
-  std::vector<std::size_t> next(rows.start.begin(), rows.start.end() - 1);
-  for (const Edge& e : edges) {
-    if (e[0] == e[1]) continue;
-    rows.column[next[e[0]]++] = e[1];
-    rows.column[next[e[1]]++] = e[0];
-  }
+/// The edges' other ends by vertex, each row ascending, without self-loops; rows may repeat.
+CsrGraph::Rows rows_of(std::uint32_t vertices, std::span<const Edge> edges, Directions directions) {
+  auto rows = collect_rows<std::uint32_t>(vertices, [&](const auto& add) {
+    for (const auto& [a, b] : edges) {
+      if (a == b) continue;
+      add(a, b);
+      if (directions == Directions::both) add(b, a);
+    }
+  });
+  for (std::uint32_t v = 0; v < vertices; ++v) std::ranges::sort(rows[v]);
   return rows;
 }
 
-using detail::Arcs;
-using detail::graph_of_sorted_arcs;
+/// Each link once in a row; the rows ascend.
+CsrGraph::Rows without_repetitions(CsrGraph::Rows rows) {
+  const auto repeats = [&] {
+    for (std::size_t v = 0; v < rows.size(); ++v)
+      if (std::ranges::adjacent_find(rows[v]) != rows[v].end()) return true;
+    return false;
+  };
+  if (!repeats()) return rows;
+  CsrGraph::Rows result;
+  result.reserve(rows.size(), rows.link_count());
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    for (std::size_t k = 0; k < rows[v].size(); ++k)
+      if (k == 0 || rows[v][k] != rows[v][k - 1]) result.add_link(rows[v][k]);
+    result.end_row();
+  }
+  return result;
+}
 
-void check_edges(std::uint32_t vertices, std::span<const Edge> edges) {
-  if (edges.size() > max_edges)
+void check_edges(std::uint32_t vertices, std::span<const Edge> edges, std::size_t most) {
+  if (edges.size() > most)
     throw InputError("edges", std::to_string(edges.size()) + " edges", "graphs hold at most 2^31 - 1");
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (const std::uint32_t end : edges[i])
@@ -61,6 +66,20 @@ void check_edges(std::uint32_t vertices, std::span<const Edge> edges) {
                          "edge " + std::to_string(i) + " ends at vertex " + std::to_string(end) +
                              ", the graph has " + std::to_string(vertices) + " vertices",
                          "number vertices from 0");
+}
+
+void check_both_directions(const CsrGraph& graph) {
+  for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
+    for (const std::uint32_t w : neighbours(graph, v))
+      if (!std::ranges::binary_search(neighbours(graph, w), v))
+        throw InputError("edges",
+                         "vertex " + std::to_string(v) + " has neighbour " + std::to_string(w) +
+                             ", which does not have it back",
+                         "name every edge in both directions");
+}
+
+std::size_t self_loops(std::span<const Edge> edges) {
+  return static_cast<std::size_t>(std::ranges::count_if(edges, [](const Edge& e) { return e[0] == e[1]; }));
 }
 
 /// The graph of cells that name one another as neighbours.
@@ -92,22 +111,21 @@ CsrGraph graph_of_neighbours(const PerId<CellId, std::array<MaybeId<CellId>, sid
 }  // namespace
 
 EdgeListGraph graph_from_edges(std::uint32_t vertices, std::span<const Edge> edges) {
-  check_edges(vertices, edges);
-  Rows rows = rows_of(vertices, edges);
-  Arcs arcs;
-  arcs.reserve(rows.column.size());
-  for (std::uint32_t v = 0; v < vertices; ++v) {
-    const auto first = rows.column.begin() + static_cast<std::ptrdiff_t>(rows.start[v]);
-    const auto last = rows.column.begin() + static_cast<std::ptrdiff_t>(rows.start[v + std::size_t{1}]);
-    std::sort(first, last);
-    for (auto w = first; w != last; ++w)
-      if (w == first || *w != *(w - 1)) arcs.emplace_back(v, *w);
-  }
-  EdgeListGraph result;
-  result.self_loops = static_cast<std::size_t>(
-      std::count_if(edges.begin(), edges.end(), [](const Edge& e) { return e[0] == e[1]; }));
-  result.parallel_edges = (rows.column.size() - arcs.size()) / 2;
-  result.graph = graph_of_sorted_arcs(arcs, vertices);
+  check_edges(vertices, edges, max_edges);
+  CsrGraph::Rows rows = rows_of(vertices, edges, Directions::both);
+  const std::size_t listed = rows.link_count();
+  EdgeListGraph result{CsrGraph(without_repetitions(std::move(rows))), self_loops(edges)};
+  result.parallel_edges = listed / 2 - edge_count(result.graph);
+  return result;
+}
+
+EdgeListGraph graph_from_arcs(std::uint32_t vertices, std::span<const Edge> arcs) {
+  check_edges(vertices, arcs, 2 * max_edges);
+  CsrGraph::Rows rows = rows_of(vertices, arcs, Directions::as_listed);
+  const std::size_t listed = rows.link_count();
+  EdgeListGraph result{CsrGraph(without_repetitions(std::move(rows))), self_loops(arcs)};
+  result.parallel_edges = (listed - result.graph.rows().link_count() + 1) / 2;
+  check_both_directions(result.graph);
   return result;
 }
 
@@ -190,15 +208,16 @@ void SubgraphExtractor::number(std::span<const std::uint32_t> vertices) {
 
 CsrGraph SubgraphExtractor::operator()(std::span<const std::uint32_t> vertices) {
   number(vertices);
-  Arcs arcs;
+  CsrGraph::Rows rows;
+  rows.reserve(vertices.size(), 0);
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    const std::size_t row = arcs.size();
     for (const std::uint32_t w : neighbours(*graph_, vertices[i]))
-      if (new_of_old_[w] != not_chosen) arcs.emplace_back(i, new_of_old_[w]);
-    std::sort(arcs.begin() + static_cast<std::ptrdiff_t>(row), arcs.end());
+      if (new_of_old_[w] != not_chosen) rows.add_link(new_of_old_[w]);
+    rows.end_row();
+    std::ranges::sort(rows[i]);
   }
   for (const std::uint32_t v : vertices) new_of_old_[v] = not_chosen;
-  return graph_of_sorted_arcs(arcs, vertices.size());
+  return CsrGraph(std::move(rows));
 }
 
 std::optional<std::string> validate(const CsrGraph& graph) {

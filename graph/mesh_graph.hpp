@@ -2,37 +2,51 @@
 #pragma once
 
 #include <array>
-#include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "leonhard/mesh/compressed_rows.hpp"
 #include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::graph {
 
-/// An undirected graph in compressed sparse rows, as Boost.Graph knows it: every edge is stored in both
-/// directions, each row ascending, without self-loops or parallel edges. Vertices are 0 ... n-1; both vertex
-/// and directed-edge indices are 32-bit. Boost.Graph's algorithms for directed CSR graphs take it as it is.
-using CsrGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
-                                                    boost::no_property, std::uint32_t, std::uint32_t>;
+/// An undirected graph in compressed rows: every edge is stored in both directions, each row ascending, without
+/// self-loops or parallel edges. Vertices are 0 ... n-1; both vertex and directed-edge numbers are 32-bit.
+class CsrGraph {
+ public:
+  using Rows = CompressedRows<std::uint32_t>;
+
+  /// Without vertices.
+  CsrGraph() = default;
+  /// rows  of neighbours as promised above, which is not checked (see validate(); graph_from_edges takes any list)
+  explicit CsrGraph(Rows rows) : rows_(std::move(rows)) {}
+
+  /// Row v holds the neighbours of vertex v.
+  [[nodiscard]] const Rows& rows() const { return rows_; }
+
+  friend bool operator==(const CsrGraph&, const CsrGraph&) = default;
+
+ private:
+  Rows rows_;
+};
 
 [[nodiscard]] inline std::uint32_t vertex_count(const CsrGraph& graph) {
-  return static_cast<std::uint32_t>(boost::num_vertices(graph));
+  return static_cast<std::uint32_t>(graph.rows().size());
 }
 
 /// Undirected edges: each counted once though stored twice.
-[[nodiscard]] inline std::size_t edge_count(const CsrGraph& graph) { return boost::num_edges(graph) / 2; }
+[[nodiscard]] inline std::size_t edge_count(const CsrGraph& graph) { return graph.rows().link_count() / 2; }
 
 /// The neighbours of a vertex, ascending. Valid as long as the graph is.
 [[nodiscard]] inline std::span<const std::uint32_t> neighbours(const CsrGraph& graph, std::uint32_t vertex) {
-  const auto [first, last] = boost::adjacent_vertices(vertex, graph);
-  return {first, last};
+  return graph.rows()[vertex];
 }
 
 [[nodiscard]] inline std::uint32_t degree(const CsrGraph& graph, std::uint32_t vertex) {
@@ -55,8 +69,20 @@ struct EdgeListGraph {
 [[nodiscard]] EdgeListGraph graph_from_edges(std::uint32_t vertices,
                                              std::span<const std::array<std::uint32_t, 2>> edges);
 
+/// The graph of a list that names every edge in both directions (what each vertex says of its neighbours).
+///
+/// vertices  number of vertices
+/// arcs      source and target, in any sequence; of self-loops and repetitions as above, a repetition in both directions
+///           counted once
+/// throws    InputError on an end that is not below `vertices`, an edge that is named in one direction only and on more
+///           than 2^31 - 1 edges
+/// Cost O(n + m log d), d the largest degree.
+[[nodiscard]] EdgeListGraph graph_from_arcs(std::uint32_t vertices,
+                                            std::span<const std::array<std::uint32_t, 2>> arcs);
+
 /// The graph of a mesh's vertices and edges (the graph that a vertex-centred scheme couples).
 ///
+/// edges   mesh::build_edges(mesh)
 /// throws  InputError if `edges` is not of this mesh or the mesh is too large for 32-bit graphs
 /// Cost O(vertices + edges).
 [[nodiscard]] CsrGraph vertex_graph(const TriangleMesh& mesh, const EdgeStructure& edges);

@@ -20,9 +20,9 @@ struct MetisGraph {
   std::vector<idx_t> start, to, edge_weight, vertex_weight;
 
   explicit MetisGraph(const detail::KwayGraph& graph)
-      : start(graph.start.begin(), graph.start.end()),
+      : start(graph.arcs.offsets().begin(), graph.arcs.offsets().end()),
         vertex_weight(graph.vertex_weight.begin(), graph.vertex_weight.end()) {
-    for (const detail::Arc& arc : graph.arcs) {
+    for (const detail::Arc& arc : graph.arcs.links()) {
       to.push_back(static_cast<idx_t>(arc.to));
       edge_weight.push_back(arc.weight);
     }

@@ -47,14 +47,20 @@ inline constexpr std::array named_order_methods{
     NamedOrderMethod{"nested-dissection", OrderMethod::nested_dissection},
     NamedOrderMethod{"hilbert", OrderMethod::hilbert},
 };
+[[nodiscard]] constexpr std::string_view to_string(OrderMethod method) {
+  for (const auto& known : named_order_methods) {
+    if (known.method == method) return known.name;
+  }
+  return "";
+}
 [[nodiscard]] std::optional<OrderMethod> order_method_named(std::string_view name);
 
 struct OrderOptions {
   OrderMethod method = OrderMethod::reverse_cuthill_mckee;
   OrderMethod start = OrderMethod::natural;  ///< the order that rosen improves; not rosen itself
-  std::span<const Point3> coordinates;       ///< one a vertex (z = 0 in the plane), for hilbert alone
+  std::span<const Point3> coordinates{};       ///< one a vertex (z = 0 in the plane), for hilbert alone
   std::uint64_t seed = 1;                    ///< of methods that draw random numbers
-  Progress progress;
+  Progress progress{};
 };
 
 /// An ordering of a graph's vertices by the method of one's choice; the same for the same graph and seed.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
@@ -17,6 +18,17 @@ enum class OrderOutcome {
   done,
   stopped  ///< a stop was requested: a valid ordering, not as good as it would have been
 };
+
+/// The word for it, e.g. "done".
+[[nodiscard]] constexpr std::string_view to_string(OrderOutcome outcome) {
+  switch (outcome) {
+    case OrderOutcome::done:
+      return "done";
+    case OrderOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
 
 struct [[nodiscard]] OrderResult {
   std::vector<std::uint32_t> order;  ///< order[new] = old

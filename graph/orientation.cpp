@@ -21,15 +21,10 @@ class Directions {
 
   [[nodiscard]] Orientation listed() const {
     Orientation result;
-    result.start.assign(vertex_count(graph_) + std::size_t{1}, 0);
-    for (const auto& [tail, head] : arcs_) ++result.start[tail + std::size_t{1}];
-    for (std::size_t v = 1; v < result.start.size(); ++v) result.start[v] += result.start[v - 1];
-    result.heads.resize(arcs_.size());
-    std::vector<std::uint32_t> next(result.start.begin(), result.start.end() - 1);
-    for (const auto& [tail, head] : arcs_) result.heads[next[tail]++] = head;
-    for (Vertex v = 0; v < vertex_count(graph_); ++v)
-      std::sort(result.heads.begin() + result.start[v],
-                result.heads.begin() + result.start[v + std::size_t{1}]);
+    result.heads = collect_rows<Vertex>(vertex_count(graph_), [&](const auto& add) {
+      for (const auto& [tail, head] : arcs_) add(tail, head);
+    });
+    for (Vertex v = 0; v < vertex_count(graph_); ++v) std::ranges::sort(result.heads[v]);
     return result;
   }
 
@@ -201,8 +196,8 @@ std::optional<std::string> validate(const CsrGraph& graph, const Orientation& or
   if (orientation.vertex_count() != vertex_count(graph))
     return "the orientation has " + std::to_string(orientation.vertex_count()) + " vertices, the graph " +
            std::to_string(vertex_count(graph));
-  if (orientation.heads.size() != edge_count(graph))
-    return "the orientation has " + std::to_string(orientation.heads.size()) + " edges, the graph " +
+  if (orientation.heads.link_count() != edge_count(graph))
+    return "the orientation has " + std::to_string(orientation.heads.link_count()) + " edges, the graph " +
            std::to_string(edge_count(graph));
   for (Vertex v = 0; v < vertex_count(graph); ++v) {
     const auto heads = orientation.heads_of(v);

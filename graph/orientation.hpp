@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
@@ -16,15 +17,12 @@ namespace leonhard::graph {
 
 /// A graph's edges, each listed once, at its tail.
 struct Orientation {
-  std::vector<std::uint32_t> start{0};  ///< heads of v are heads[start[v]] .. heads[start[v + 1] - 1]
-  std::vector<std::uint32_t> heads;     ///< ascending within each list
+  CompressedRows<std::uint32_t> heads;  ///< row v: the heads of the edges that leave v, ascending
 
-  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(start.size() - 1); }
-  [[nodiscard]] std::span<const std::uint32_t> heads_of(std::uint32_t v) const {
-    return std::span(heads).subspan(start[v], start[v + std::size_t{1}] - start[v]);
-  }
+  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(heads.size()); }
+  [[nodiscard]] std::span<const std::uint32_t> heads_of(std::uint32_t v) const { return heads[v]; }
   [[nodiscard]] std::uint32_t out_degree(std::uint32_t v) const {
-    return start[v + std::size_t{1}] - start[v];
+    return static_cast<std::uint32_t>(heads[v].size());
   }
   [[nodiscard]] std::uint32_t max_out_degree() const;
 };
@@ -33,6 +31,17 @@ enum class OrientationOutcome {
   three_bounded,  ///< no vertex has more than three outgoing edges
   not_planar      ///< the graph is not planar and the method found no way: by least degree instead
 };
+
+/// The word for it, e.g. "three_bounded".
+[[nodiscard]] constexpr std::string_view to_string(OrientationOutcome outcome) {
+  switch (outcome) {
+    case OrientationOutcome::three_bounded:
+      return "three_bounded";
+    case OrientationOutcome::not_planar:
+      return "not_planar";
+  }
+  return "";
+}
 
 struct [[nodiscard]] PlanarOrientation {
   OrientationOutcome outcome{};

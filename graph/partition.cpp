@@ -60,11 +60,6 @@ Partition by_method(const CsrGraph& graph, const detail::KwayGraph& weighted, st
 
 }  // namespace
 
-std::string_view name_of(PartitionMethod method) {
-  return std::ranges::find(named_partition_methods, method, [](const auto& known) { return known.second; })
-      ->first;
-}
-
 void detail::check_partition_request(const CsrGraph& graph, std::uint32_t parts,
                                      const PartitionOptions& options) {
   const std::uint32_t n = vertex_count(graph);

@@ -25,6 +25,23 @@ enum class PartitionOutcome {
   disconnected,  ///< connected parts were asked for, and none within the imbalance were found
 };
 
+/// The word for it, e.g. "done".
+[[nodiscard]] constexpr std::string_view to_string(PartitionOutcome outcome) {
+  switch (outcome) {
+    case PartitionOutcome::done:
+      return "done";
+    case PartitionOutcome::empty_parts:
+      return "empty_parts";
+    case PartitionOutcome::stopped:
+      return "stopped";
+    case PartitionOutcome::unbalanced:
+      return "unbalanced";
+    case PartitionOutcome::disconnected:
+      return "disconnected";
+  }
+  return "";
+}
+
 /// To each vertex (point, triangle) its part.
 struct [[nodiscard]] Partition {
   std::uint32_t parts{};
@@ -109,7 +126,12 @@ inline constexpr std::array<std::pair<std::string_view, PartitionMethod>, 6> nam
     {"spectral", PartitionMethod::spectral},
     {"multilevel", PartitionMethod::multilevel},
 }};
-[[nodiscard]] std::string_view name_of(PartitionMethod method);
+[[nodiscard]] constexpr std::string_view to_string(PartitionMethod method) {
+  for (const auto& known : named_partition_methods) {
+    if (known.second == method) return known.first;
+  }
+  return "";
+}
 
 /// How long the multilevel method tries: on meshes, times METIS' k-way method about as long, three times, and a hundred
 /// times and more.

@@ -41,9 +41,10 @@ Partition partition_with_scotch(const CsrGraph& graph, std::uint32_t parts, cons
       detail::weighted_graph(graph, options.vertex_weights, options.edge_weights);
   Partition result{parts, std::vector<std::uint32_t>(weighted.size(), 0), PartitionOutcome::done};
   if (parts == 1) return result;
-  std::vector<SCOTCH_Num> start(weighted.start.begin(), weighted.start.end()), to, edge_weight,
+  const auto offsets = weighted.arcs.offsets();
+  std::vector<SCOTCH_Num> start(offsets.begin(), offsets.end()), to, edge_weight,
       vertex_weight(weighted.vertex_weight.begin(), weighted.vertex_weight.end());
-  for (const detail::Arc& arc : weighted.arcs) {
+  for (const detail::Arc& arc : weighted.arcs.links()) {
     to.push_back(static_cast<SCOTCH_Num>(arc.to));
     edge_weight.push_back(arc.weight);
   }

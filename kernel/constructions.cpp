@@ -162,7 +162,7 @@ bool are_moderate(const Point&... points) {
 /// zero, is at least half the smallest difference, 2^-173. The square root of a sum of squares has at most
 /// 2.5 roundings; squares that underflow do not count beside R. Adding the origin rounds once more.
 template <class Point>
-std::optional<Ball<Point>> rounded(const Point& origin, const Offset<Bounded, dimension<Point>>& offset) {
+std::optional<RoundedBall<Point>> rounded(const Point& origin, const Offset<Bounded, dimension<Point>>& offset) {
   const double d = offset.denominator.value.high, d_error = offset.denominator.error() / std::abs(d);
   auto x = coordinates(origin);
   double square = 0, error = 0, size = 0;
@@ -178,7 +178,7 @@ std::optional<Ball<Point>> rounded(const Point& origin, const Offset<Bounded, di
   // A reach out of range makes this infinite, NaN, or loses less than the slack.
   const bool good = d_error <= 0x1p-11 && slack * error <= 0x1p-50 * radius && std::isfinite(square);
   if (!good) return {};
-  return Ball<Point>{point(x), radius, slack * (error + u * size), slack * (error + 3 * u * radius)};
+  return RoundedBall<Point>{point(x), radius, slack * (error + u * size), slack * (error + 3 * u * radius)};
 }
 
 double least_double_above(const mpq_class& x) {
@@ -190,7 +190,7 @@ constexpr double largest_double = std::numeric_limits<double>::max();
 /// The same from exact numbers, D not zero, by rounding towards zero; nothing if it exceeds the largest
 /// double.
 template <class Point>
-std::optional<Ball<Point>> rounded(const Point& origin, const Offset<mpq_class, dimension<Point>>& offset) {
+std::optional<RoundedBall<Point>> rounded(const Point& origin, const Offset<mpq_class, dimension<Point>>& offset) {
   const mpq_class half_inverse = 1 / (2 * offset.denominator);
   auto x = coordinates(origin);
   mpq_class square = 0, error = 0;
@@ -205,7 +205,7 @@ std::optional<Ball<Point>> rounded(const Point& origin, const Offset<mpq_class, 
   if (radius > largest_double) return {};
   const double r =
       radius.get_d();  // the root is right to 2^-100, and get_d rounds towards zero: 2u and less than u
-  return Ball<Point>{point(x), r, least_double_above(error), 3 * u * r + 0x1p-1073};
+  return RoundedBall<Point>{point(x), r, least_double_above(error), 3 * u * r + 0x1p-1073};
 }
 
 // ---- errors ----
@@ -232,7 +232,7 @@ std::string list_of(const Point&... points) {
 
 /// The ball through a of the Offset that `formula` makes of the vectors from a to the other points.
 template <class Formula, class Point, class... Points>
-Ball<Point> construct(const char* what, const Formula& formula, const Point& a, const Points&... others) {
+RoundedBall<Point> construct(const char* what, const Formula& formula, const Point& a, const Points&... others) {
   if (are_moderate(a, others...))
     if (const auto ball = rounded(a, formula(vector<Bounded>(a, others)...))) return *ball;
   detail::require_finite(what, a, others...);

@@ -21,15 +21,15 @@ namespace leonhard::kernel {
 
 /// A circle or sphere; a circle in space has the plane of its triangle.
 template <class Point>
-struct Ball {
+struct RoundedBall {
   Point centre;         // where the coordinates are
   double radius;        // in units of the coordinates
   double centre_error;  // upper bound of the distance of centre from the exact centre
   double radius_error;  // upper bound of |radius - exact radius|; the exact one is about the exact centre
 };
 
-using Circle = Ball<Point2>;
-using Sphere = Ball<Point3>;
+using Circle = RoundedBall<Point2>;
+using Sphere = RoundedBall<Point3>;
 
 /// The circle through three points, in any order. With V = b - a, W = c - a and Q the quarter turn (x, y) ->
 /// (-y, x),

@@ -11,8 +11,8 @@ namespace leonhard {
 /// library; a stop request is obeyed within 0.1 s on up to about a million points, within some tenths of a second more
 /// for each ten millions.
 struct Progress {
-  std::function<void(std::string_view stage, double fraction)> report;  ///< fraction in [0, 1]
-  std::stop_token stop;
+  std::function<void(std::string_view stage, double fraction)> report{};  ///< fraction in [0, 1]
+  std::stop_token stop{};
 
   void operator()(std::string_view stage, double fraction) const {
     if (report) report(stage, fraction);

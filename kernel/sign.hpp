@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 namespace leonhard {
 
 /// The answer of every predicate: never a double that someone might compare with an epsilon.
 enum class Sign : signed char { negative = -1, zero = 0, positive = 1 };
+
+/// The word for it, e.g. "negative".
+[[nodiscard]] constexpr std::string_view to_string(Sign s) {
+  switch (s) {
+    case Sign::negative:
+      return "negative";
+    case Sign::zero:
+      return "zero";
+    case Sign::positive:
+      return "positive";
+  }
+  return "";
+}
 
 [[nodiscard]] constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<signed char>(s)); }
 

@@ -13,6 +13,6 @@ namespace leonhard::mesh {
 /// edges   of this mesh, from build_edges
 /// throws  InputError for edges of another mesh
 /// Cost O(edges + triangles).
-[[nodiscard]] DualMetrics centroid_dual(const TriangleMesh& mesh, const EdgeStructure& edges);
+[[nodiscard]] DualMetrics<2> centroid_dual(const TriangleMesh& mesh, const EdgeStructure& edges);
 
 }  // namespace leonhard::mesh

@@ -9,7 +9,7 @@
 namespace leonhard {
 
 /// The Dirichlet dual's metrics, and where it is not the Dirichlet tessellation itself.
-struct DirichletDual : DualMetrics {
+struct DirichletDual : DualMetrics<2> {
   /// Entries of mesh.boundary whose triangle has its circumcentre strictly beyond the edge, because the angle opposite
   /// is obtuse; decided exactly.
   std::vector<std::size_t> beyond;

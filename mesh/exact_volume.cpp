@@ -3,7 +3,7 @@
 
 #include "leonhard/mesh/exact_sum.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
-#include "leonhard/mesh/structures/sorted_face.hpp"
+#include "leonhard/mesh/structures/sorted_facet.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -18,7 +18,7 @@ mpq_class exact_volume6(const TetMesh& mesh) {
   require_corners_in_range(mesh);
   ExactSum sum;
   for (const auto& corners : mesh.corners) {
-    for (std::size_t side = 0; side < 4; ++side) add_face(sum, mesh, outward_face(corners, side));
+    for (std::size_t side = 0; side < 4; ++side) add_face(sum, mesh, outward_facet(corners, side));
   }
   return sum.value();
 }

@@ -36,7 +36,7 @@ Fingerprint cell_hash(const Points& points, const std::array<VertexId, N>& corne
   for (const auto& point : bits) {
     for (const std::uint64_t word : point) hash.take(word);
   }
-  return hash.value();
+  return {hash.hi(), hash.lo()};
 }
 
 template <class Mesh>
@@ -53,7 +53,7 @@ Fingerprint fingerprint_of(const Mesh& mesh) {
     hash.take(cell.hi);
     hash.take(cell.lo);
   }
-  return hash.value();
+  return {hash.hi(), hash.lo()};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -66,12 +67,29 @@ class MaybeId {
     assert(has_value());
     return IdT{raw_};
   }
+  [[nodiscard]] constexpr IdT value_or(IdT fallback) const { return has_value() ? IdT{raw_} : fallback; }
   friend constexpr bool operator==(const MaybeId&, const MaybeId&) = default;
 
  private:
   static constexpr IdRaw none_raw = std::numeric_limits<IdRaw>::max();
   IdRaw raw_ = none_raw;
 };
+
+namespace detail {
+std::ostream& write_id(std::ostream& out, IdRaw raw);
+std::ostream& write_no_id(std::ostream& out);
+}  // namespace detail
+
+/// Writes the number, "17".
+template <class Tag>
+std::ostream& operator<<(std::ostream& out, Id<Tag> id) {
+  return detail::write_id(out, id.raw);
+}
+/// Writes the number, or "none".
+template <class IdT>
+std::ostream& operator<<(std::ostream& out, MaybeId<IdT> id) {
+  return id ? out << *id : detail::write_no_id(out);
+}
 
 /// The ids 0 .. count - 1 in order, a range to loop over or to hand to an algorithm. (std::views::iota would
 /// do, but clang 14 cannot compile the one of GCC 12's library.)
@@ -164,3 +182,16 @@ class PerId {
 };
 
 }  // namespace leonhard
+
+template <class Tag>
+struct std::hash<leonhard::Id<Tag>> {
+  [[nodiscard]] std::size_t operator()(leonhard::Id<Tag> id) const noexcept {
+    return std::hash<leonhard::IdRaw>()(id.raw);
+  }
+};
+template <class IdT>
+struct std::hash<leonhard::MaybeId<IdT>> {
+  [[nodiscard]] std::size_t operator()(leonhard::MaybeId<IdT> id) const noexcept {
+    return id ? std::hash<IdT>()(*id) : ~std::size_t{0};
+  }
+};

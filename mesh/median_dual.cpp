@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/median_dual.hpp"
 
+#include <array>
+
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/check/same_mesh.hpp"
+#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -32,29 +36,73 @@ Vec2 dual_face(const TriangleMesh& mesh, const std::array<VertexId, 2>& ends,
   return -midpoint_to_centroid(a, b, opposite_corner(mesh, *sides[1], ends));
 }
 
+/// The corners of a tetrahedron, as numbers, so that an edge of tet_edge_corners comes first and the order is even.
+constexpr std::array<std::array<unsigned, 4>, 6> even_orders{
+    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
+
+/// 24 times the part of edge ab's dual face within the positive tetrahedron abcd, from a to b.
+Vec3 face_part24(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  return cross((c - a) + (d - b), d - c);
+}
+
+/// Twice a triangle's area, six times a tetrahedron's volume.
+double determinant(const TriangleMesh& mesh, const std::array<VertexId, 3>& corners) {
+  const Point2 a = mesh.points[corners[0]];
+  return cross(mesh.points[corners[1]] - a, mesh.points[corners[2]] - a);
+}
+double determinant(const TetMesh& mesh, const std::array<VertexId, 4>& corners) {
+  const Point3 a = mesh.points[corners[0]];
+  return dot(cross(mesh.points[corners[1]] - a, mesh.points[corners[2]] - a), mesh.points[corners[3]] - a);
+}
+
+/// Of every cell each corner gets the same share.
+template <int Dim>
+PerId<VertexId, double> shares_of_cells(const SimplexMesh<Dim>& mesh) {
+  constexpr double parts = Dim == 2 ? 6 : 24;
+  PerId<VertexId, double> volume(mesh.vertex_count(), 0.0);
+  for (const auto& corners : mesh.corners) {
+    const double share = determinant(mesh, corners) / parts;
+    for (const VertexId v : corners) volume[v] += share;
+  }
+  return volume;
+}
+
 }  // namespace
 
-MedianDual median_dual(const TriangleMesh& mesh, const EdgeStructure& edges) {
+DualMetrics<2> median_dual(const TriangleMesh& mesh, const EdgeStructure& edges) {
   require_edges_of(mesh, edges);
-  MedianDual dual;
+  DualMetrics<2> dual;
   dual.normal.resize(edges.edge_count());
-  for (const EdgeId e : edges.ends.ids()) {
+  for (const EdgeId e : edges.ends.ids())
     dual.normal[e] = turned_clockwise(dual_face(mesh, edges.ends[e], edges.sides[e]));
-  }
+  dual.volume = shares_of_cells(mesh);
+  dual.boundary_normal = boundary_normals(mesh);
+  return dual;
+}
 
-  dual.area.resize(mesh.vertex_count(), 0.0);
-  for (const auto& [a, b, c] : mesh.corners) {
-    const Point2 p = mesh.points[a];
-    const double third = cross(mesh.points[b] - p, mesh.points[c] - p) / 6.0;
-    dual.area[a] += third;
-    dual.area[b] += third;
-    dual.area[c] += third;
+DualMetrics<3> median_dual(const TetMesh& mesh, const TetEdges& edges) {
+  require_edge_list_of(mesh, edges);
+  require_boundary_within(mesh);
+  DualMetrics<3> dual;
+  dual.normal.resize(edges.edge_count());
+  PerId<EdgeId, char> used(edges.edge_count(), 0);
+  for (const auto& corners : mesh.corners) {
+    const auto point = [&](unsigned i) { return mesh.points[corners[i]]; };
+    for (const auto& [i, j, k, l] : even_orders) {
+      const MaybeId<EdgeId> e = edges.find(corners[i], corners[j]);
+      if (!e)
+        throw InputError("edges", words(mesh, corners[i], corners[j]) + " is missing",
+                         "give what build_edges makes of this mesh");
+      used[*e] = 1;
+      const Vec3 part = 1.0 / 24.0 * face_part24(point(i), point(j), point(k), point(l));
+      Vec3& normal = dual.normal[*e];
+      normal = corners[i] < corners[j] ? normal + part : normal - part;
+    }
   }
-
-  dual.boundary_normal.reserve(mesh.boundary.size());
-  for (const MarkedEdge& edge : mesh.boundary) {
-    dual.boundary_normal.push_back(turned_clockwise(mesh.points[edge.to] - mesh.points[edge.from]));
-  }
+  for (const EdgeId e : edges.ends.ids())
+    if (!used[e]) throw_foreign_edge(e, edges.ends[e]);
+  dual.volume = shares_of_cells(mesh);
+  dual.boundary_normal = boundary_normals(mesh);
   return dual;
 }
 

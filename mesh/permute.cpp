@@ -2,67 +2,142 @@
 #include "leonhard/mesh/permute.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
-#include "leonhard/mesh/structures/permutation.hpp"
 
 namespace leonhard::mesh {
 namespace {
 
-using Corners = std::array<VertexId, 3>;
+/// throws  InputError, naming an entry, if new_of_old does not give each of `count` vertices a number of its own below
+///         count
+void check_permutation(std::size_t count, const PerId<VertexId, VertexId>& new_of_old) {
+  const char* remedy = "give every vertex a new number of its own from 0 to the number of vertices - 1";
+  if (new_of_old.size() != count) {
+    throw InputError(
+        "new_of_old",
+        std::to_string(new_of_old.size()) + " entries for " + std::to_string(count) + " vertices", remedy);
+  }
+  PerId<VertexId, MaybeId<VertexId>> old_of_new(count);
+  for (const VertexId old : new_of_old.ids()) {
+    const VertexId id = new_of_old[old];
+    const auto entry = [&] {
+      return "vertex " + std::to_string(old.raw) + " is given the number " + std::to_string(id.raw);
+    };
+    if (!old_of_new.contains(id)) {
+      throw InputError("new_of_old", entry() + ", but there are " + std::to_string(count) + " vertices",
+                       remedy);
+    }
+    if (old_of_new[id]) {
+      throw InputError("new_of_old",
+                       entry() + ", which vertex " + std::to_string((*old_of_new[id]).raw) + " has already",
+                       remedy);
+    }
+    old_of_new[id] = old;
+  }
+}
 
-/// order[new] = old number of a triangle.
-std::vector<TriangleId> triangle_order(const PerId<TriangleId, Corners>& corners, TriangleOrder order) {
-  std::vector<TriangleId> old_of_new(corners.ids().begin(), corners.ids().end());
-  if (order == TriangleOrder::kept) return old_of_new;
-  PerId<TriangleId, Corners> keys = corners;
-  for (Corners& key : keys) std::sort(key.begin(), key.end());
-  std::sort(old_of_new.begin(), old_of_new.end(),
-            [&](TriangleId s, TriangleId t) { return keys[s] != keys[t] ? keys[s] < keys[t] : s < t; });
+/// values[v] at its vertex's new number.
+template <class T>
+PerId<VertexId, T> renumbered(const PerId<VertexId, T>& values, const PerId<VertexId, VertexId>& new_of_old) {
+  PerId<VertexId, T> result(values.size());
+  for (const VertexId old : values.ids()) result[new_of_old[old]] = values[old];
+  return result;
+}
+
+template <int Dim>
+void renumber(std::vector<typename Simplex<Dim>::MarkedFacet>& facets,
+              const PerId<VertexId, VertexId>& new_of_old) {
+  for (auto& facet : facets) {
+    auto corners = Simplex<Dim>::corners_of(facet);
+    for (VertexId& v : corners) v = new_of_old[v];
+    facet = Simplex<Dim>::marked(corners, facet.marker);
+  }
+}
+
+/// order[new] = old number of a cell: in buckets by smallest vertex, each sorted.
+template <class CellId, std::size_t count>
+std::vector<CellId> order_by_vertices(const PerId<CellId, std::array<VertexId, count>>& corners,
+                                      std::size_t vertices) {
+  struct Entry {
+    std::array<VertexId, count - 1> higher;
+    CellId cell;
+  };
+  std::vector<std::size_t> first(vertices + 1, 0);
+  for (const auto& c : corners) ++first[std::min_element(c.begin(), c.end())->index() + 1];
+  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+  std::vector<Entry> entries(corners.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (const CellId t : corners.ids()) {
+    auto key = corners[t];
+    std::sort(key.begin(), key.end());
+    Entry& entry = entries[next[key[0].index()]++];
+    std::copy(key.begin() + 1, key.end(), entry.higher.begin());
+    entry.cell = t;
+  }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first[v]),
+              entries.begin() + static_cast<std::ptrdiff_t>(first[v + 1]),
+              [](const Entry& a, const Entry& b) {
+                return a.higher != b.higher ? a.higher < b.higher : a.cell < b.cell;
+              });
+  }
+  std::vector<CellId> old_of_new;
+  old_of_new.reserve(entries.size());
+  for (const Entry& entry : entries) old_of_new.push_back(entry.cell);
   return old_of_new;
 }
 
-std::vector<MarkedEdge> renumbered(std::vector<MarkedEdge> edges,
-                                   const PerId<VertexId, VertexId>& new_of_old) {
-  for (MarkedEdge& edge : edges) edge = {new_of_old[edge.from], new_of_old[edge.to], edge.marker};
-  return edges;
+/// The same mesh, its cells in another order.
+template <int Dim, class CellId>
+void reorder_cells(SimplexMesh<Dim>& mesh, const std::vector<CellId>& old_of_new) {
+  PerId<CellId, CellId> new_of_old(mesh.cell_count());
+  for (std::size_t i = 0; i < old_of_new.size(); ++i) new_of_old[old_of_new[i]] = CellId::from(i);
+  decltype(mesh.corners) corners;
+  decltype(mesh.neighbours) neighbours;
+  decltype(mesh.regions) regions;
+  corners.reserve(mesh.cell_count());
+  neighbours.reserve(mesh.cell_count());
+  regions.reserve(mesh.cell_count());
+  for (const CellId old : old_of_new) {
+    corners.push_back(mesh.corners[old]);
+    regions.push_back(mesh.regions[old]);
+    auto across = mesh.neighbours[old];
+    for (MaybeId<CellId>& neighbour : across) {
+      if (neighbour) neighbour = new_of_old[*neighbour];
+    }
+    neighbours.push_back(across);
+  }
+  mesh.corners = std::move(corners);
+  mesh.neighbours = std::move(neighbours);
+  mesh.regions = std::move(regions);
 }
 
 }  // namespace
 
-TriangleMesh renumber_vertices(const TriangleMesh& mesh, const PerId<VertexId, VertexId>& new_of_old,
-                               TriangleOrder order) {
+template <int Dim>
+SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh, const PerId<VertexId, VertexId>& new_of_old,
+                                   CellOrder order) {
   check_permutation(mesh.vertex_count(), new_of_old);
   require_ids_in_range(mesh);
-  TriangleMesh result;
-  result.marker_names = mesh.marker_names;
-  result.boundary = renumbered(mesh.boundary, new_of_old);
-  result.constraints = renumbered(mesh.constraints, new_of_old);
+  SimplexMesh<Dim> result = mesh;
   result.points = renumbered(mesh.points, new_of_old);
   result.vertex_markers = renumbered(mesh.vertex_markers, new_of_old);
-
-  PerId<TriangleId, Corners> corners = mesh.corners;
-  for (Corners& triangle : corners) {
-    for (VertexId& v : triangle) v = new_of_old[v];
+  renumber<Dim>(result.boundary, new_of_old);
+  renumber<Dim>(result.inner_facets(), new_of_old);
+  for (auto& corners : result.corners) {
+    for (VertexId& v : corners) v = new_of_old[v];
   }
-  const std::vector<TriangleId> old_of_new = triangle_order(corners, order);
-  PerId<TriangleId, TriangleId> new_triangle(mesh.triangle_count());
-  for (std::size_t i = 0; i < old_of_new.size(); ++i) new_triangle[old_of_new[i]] = TriangleId::from(i);
-
-  result.corners.reserve(mesh.triangle_count());
-  result.neighbours.reserve(mesh.neighbours.size());
-  result.regions.reserve(mesh.regions.size());
-  for (const TriangleId old : old_of_new) {
-    result.corners.push_back(corners[old]);
-    std::array<MaybeId<TriangleId>, 3> neighbours = mesh.neighbours[old];
-    for (MaybeId<TriangleId>& neighbour : neighbours) {
-      if (neighbour) neighbour = new_triangle[*neighbour];
-    }
-    result.neighbours.push_back(neighbours);
-    result.regions.push_back(mesh.regions[old]);
-  }
+  if (order == CellOrder::by_smallest_vertex)
+    reorder_cells(result, order_by_vertices(result.corners, result.vertex_count()));
   return result;
 }
+
+template TriangleMesh renumber_vertices(const SimplexMesh<2>&, const PerId<VertexId, VertexId>&, CellOrder);
+template TetMesh renumber_vertices(const SimplexMesh<3>&, const PerId<VertexId, VertexId>&, CellOrder);
 
 }  // namespace leonhard::mesh

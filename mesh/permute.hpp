@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::mesh {
 
-/// What a renumbering of vertices does to the triangles' numbers.
-enum class TriangleOrder {
-  by_smallest_vertex,  ///< sorted by smallest new vertex, then middle, then largest: near vertices, near
-                       ///< triangles
+/// What a renumbering of vertices does to the cells' numbers.
+enum class CellOrder {
+  by_smallest_vertex,  ///< sorted by new vertices in ascending order: near vertices, near cells
   kept,
 };
 
-/// The same mesh with other vertex numbers. Markers, regions, boundary, constraints and names go along;
-/// boundary and constraints keep their order, and each triangle the corner that it starts with.
+/// The same mesh with other vertex numbers. Markers, regions, boundary, inner facets and names go along; boundary and
+/// inner facets keep their order, and each cell the order of its corners.
 ///
 /// new_of_old  a permutation: the new id of each old vertex
 /// throws  InputError if new_of_old is not a permutation of the mesh's vertices, or the mesh has ids out of range or arrays
 ///         of the wrong size
-/// Cost O(vertices + triangles log degree).
-[[nodiscard]] TriangleMesh renumber_vertices(const TriangleMesh& mesh,
-                                             const PerId<VertexId, VertexId>& new_of_old,
-                                             TriangleOrder order = TriangleOrder::by_smallest_vertex);
+/// Cost O(vertices + cells log degree).
+template <int Dim>
+[[nodiscard]] SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh,
+                                                 const PerId<VertexId, VertexId>& new_of_old,
+                                                 CellOrder order = CellOrder::by_smallest_vertex);
 
 }  // namespace leonhard::mesh

@@ -12,10 +12,10 @@ namespace leonhard {
 /// Points with what their file says of them.
 template <class Point>
 struct PointSetOf {
-  std::vector<Point> points;
-  std::vector<Marker> markers;  ///< one a point, or empty
+  std::vector<Point> points{};
+  std::vector<Marker> markers{};  ///< one a point, or empty
   std::size_t attributes_each = 0;
-  std::vector<double> attributes;  ///< attributes_each a point, point after point
+  std::vector<double> attributes{};  ///< attributes_each a point, point after point
 
   friend bool operator==(const PointSetOf&, const PointSetOf&) = default;
 };

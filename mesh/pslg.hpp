@@ -25,19 +25,19 @@ struct Pslg {
   };
   /// Triangles reached from the seed without crossing a segment get this attribute and this largest area.
   struct Region {
-    Point2 seed;
+    Point2 seed{};
     double attribute{};
     double max_area = -1;  ///< negative: no bound
     friend bool operator==(const Region&, const Region&) = default;
   };
 
-  std::vector<Point2> points;
-  std::vector<Marker> point_markers;  ///< one a point, or empty
-  std::vector<Segment> segments;
-  std::vector<Point2> holes;  ///< one seed point a hole
-  std::vector<Region> regions;
-  std::map<Marker, std::string> marker_names;  ///< e.g. 2 -> "farfield"; markers need no name
-  std::string source;                          ///< file or description, for messages
+  std::vector<Point2> points{};
+  std::vector<Marker> point_markers{};  ///< one a point, or empty
+  std::vector<Segment> segments{};
+  std::vector<Point2> holes{};  ///< one seed point a hole
+  std::vector<Region> regions{};
+  std::map<Marker, std::string> marker_names{};  ///< e.g. 2 -> "farfield"; markers need no name
+  std::string source{};                          ///< file or description, for messages
 
   friend bool operator==(const Pslg&, const Pslg&) = default;
 };

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/structures/sorted_face.hpp"
-#include "leonhard/mesh/tet_topology.hpp"
+#include "leonhard/mesh/structures/sorted_facet.hpp"
+#include "leonhard/mesh/topology.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -18,26 +18,28 @@ constexpr const char* number_them = "number tetrahedra without gaps and give eac
 
 /// The faces of one tetrahedron.
 struct TetSides {
-  std::array<SortedFace, 4> sides;  ///< directed outwards
-  std::size_t count = 0;            ///< may exceed four in a bad structure
+  std::array<SortedFacet<3>, 4> sides;  ///< directed outwards
+  std::size_t count = 0;                ///< may exceed four in a bad structure
 
-  void add(const SortedFace& face) {
+  void add(const SortedFacet<3>& face) {
     if (count < 4) sides[count] = face;
     ++count;
   }
   /// The four corners, so that the sides are those of tet_face_corners; none if they are not.
   [[nodiscard]] std::optional<std::array<VertexId, 4>> corners() {
     if (count != 4) return std::nullopt;
-    const auto by_corners = [](const SortedFace& f, const SortedFace& g) { return f.corners < g.corners; };
+    const auto by_corners = [](const SortedFacet<3>& f, const SortedFacet<3>& g) {
+      return f.corners < g.corners;
+    };
     std::sort(sides.begin(), sides.end(), by_corners);
     const auto& [a, b, c] = sides[0].corners;
     std::array tet{a, b, c, sides[1].corners[2]};
     // The face opposite corner 3 is 0, 2, 1: odd, unless the last two are to change places.
     if (sides[0].even) std::swap(tet[2], tet[3]);
-    std::array<SortedFace, 4> expected;
-    for (std::size_t i = 0; i < 4; ++i) expected[i] = sorted_face(outward_face(tet, i));
+    std::array<SortedFacet<3>, 4> expected;
+    for (std::size_t i = 0; i < 4; ++i) expected[i] = sorted_facet(outward_facet(tet, i));
     std::sort(expected.begin(), expected.end(), by_corners);
-    const auto same = [](const SortedFace& f, const SortedFace& g) {
+    const auto same = [](const SortedFacet<3>& f, const SortedFacet<3>& g) {
       return f.corners == g.corners && f.even == g.even;
     };
     if (!std::equal(sides.begin(), sides.end(), expected.begin(), same)) return std::nullopt;

@@ -7,12 +7,12 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/faces.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
-#include "leonhard/mesh/structures/sorted_ends.hpp"
+#include "leonhard/mesh/structures/half_facets.hpp"
 
 namespace leonhard {
 
 MaybeId<EdgeId> TetEdges::find(VertexId a, VertexId b) const {
-  return mesh::find_edge(ends, first_edge, a, b);
+  return mesh::find_facet(ends, first_edge, {std::min(a, b), std::max(a, b)});
 }
 
 namespace mesh {

@@ -10,7 +10,7 @@
 #include "leonhard/mesh/check/same_mesh.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/exact_sum.hpp"
-#include "leonhard/mesh/structures/sorted_face.hpp"
+#include "leonhard/mesh/structures/sorted_facet.hpp"
 
 namespace leonhard {
 
@@ -207,7 +207,7 @@ class Boundary {
     return sides;
   }
   [[nodiscard]] std::array<VertexId, 3> face(std::size_t f) const {
-    return outward_face(mesh_.corners[sides_[f].tet], sides_[f].side);
+    return outward_facet(mesh_.corners[sides_[f].tet], sides_[f].side);
   }
   [[nodiscard]] std::size_t number(const Side& side) const {
     const auto place = [](const Side& s) { return 4 * s.tet.index() + s.side; };

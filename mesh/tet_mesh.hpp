@@ -2,14 +2,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "leonhard/kernel/point.hpp"
-#include "leonhard/mesh/id.hpp"
-#include "leonhard/mesh/pslg.hpp"
+#include "leonhard/mesh/simplex_mesh.hpp"
 
 namespace leonhard {
 
@@ -29,29 +25,36 @@ inline constexpr std::array<std::array<unsigned, 3>, 4> tet_face_corners{
 inline constexpr std::array<std::array<unsigned, 2>, 6> tet_edge_corners{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// A tetrahedral mesh, any number of components, handles and cavities: the finite-element structure of Barth's notes
-/// 1.3 in space, with neighbours. Plain parallel arrays, 32 bytes a tetrahedron; `mesh::validate` says which invariant
-/// broke.
-///
-/// Invariants: corners positive (kernel::orient3d of the four); neighbours[t][i] lies across the face opposite
-/// corners[t][i] and points back; every face with a tetrahedron on one side only appears once in `boundary`; every
-/// vertex has a tetrahedron.
-struct TetMesh {
-  PerId<VertexId, Point3> points;
-  PerId<TetId, std::array<VertexId, 4>> corners;
-  PerId<TetId, std::array<MaybeId<TetId>, 4>> neighbours;
+template <>
+struct Simplex<3> {
+  using Point = Point3;
+  using Vector = Vec3;
+  using CellId = TetId;
+  using FacetId = FaceId;
+  using MarkedFacet = MarkedFace;
 
-  std::vector<MarkedFace> boundary;    ///< each boundary face once, its normal pointing outwards
-  std::vector<MarkedFace> interfaces;  ///< marked faces between two tetrahedra, in either direction
+  struct InnerFacets {
+    std::vector<MarkedFace> interfaces;  ///< marked faces between two tetrahedra, in either direction
 
-  PerId<VertexId, Marker> vertex_markers;      ///< one a vertex, 0 where none
-  PerId<TetId, double> regions;                ///< regional attribute, 0 where none (TetGen's convention)
-  std::map<Marker, std::string> marker_names;  ///< e.g. 1 -> "wing"
+    [[nodiscard]] std::vector<MarkedFace>& inner_facets() { return interfaces; }
+    [[nodiscard]] const std::vector<MarkedFace>& inner_facets() const { return interfaces; }
+    friend bool operator==(const InnerFacets&, const InnerFacets&) = default;
+  };
 
-  [[nodiscard]] std::size_t vertex_count() const { return points.size(); }
-  [[nodiscard]] std::size_t tet_count() const { return corners.size(); }
+  static constexpr const auto& facet_corners = tet_face_corners;
 
-  friend bool operator==(const TetMesh&, const TetMesh&) = default;
+  [[nodiscard]] static const std::array<VertexId, 3>& corners_of(const MarkedFace& face) {
+    return face.corners;
+  }
+  [[nodiscard]] static MarkedFace marked(const std::array<VertexId, 3>& corners, Marker marker) {
+    return {corners, marker};
+  }
+
+  static constexpr const char *cell = "tetrahedron", *cells = "tetrahedra", *facet = "face";
 };
+
+/// A tetrahedral mesh. neighbours[t][i] lies across the face opposite corners[t][i], the normals of `boundary` point
+/// outwards; `interfaces` are its inner facets. 32 bytes a tetrahedron.
+using TetMesh = SimplexMesh<3>;
 
 }  // namespace leonhard

@@ -2,13 +2,10 @@
 #pragma once
 
 #include <array>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "leonhard/kernel/point.hpp"
-#include "leonhard/mesh/id.hpp"
-#include "leonhard/mesh/pslg.hpp"
+#include "leonhard/mesh/simplex_mesh.hpp"
 
 namespace leonhard {
 
@@ -19,26 +16,36 @@ struct MarkedEdge {
   friend bool operator==(const MarkedEdge&, const MarkedEdge&) = default;
 };
 
-/// A triangle mesh of a plane domain, any number of components and holes: the finite-element structure of
-/// Barth's notes 1.3, with neighbours. Plain parallel arrays; `mesh::validate` says which invariant broke.
-///
-/// Invariants: corners counter-clockwise (orient2d positive); neighbours[t][i] lies across the edge opposite
-/// corners[t][i] and points back; every edge with a triangle on one side only appears once in `boundary`;
-/// every vertex has a triangle.
-struct TriangleMesh {
-  PerId<VertexId, Point2> points;
-  PerId<TriangleId, std::array<VertexId, 3>> corners;
-  PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours;
+template <>
+struct Simplex<2> {
+  using Point = Point2;
+  using Vector = Vec2;
+  using CellId = TriangleId;
+  using FacetId = EdgeId;
+  using MarkedFacet = MarkedEdge;
 
-  std::vector<MarkedEdge> boundary;     ///< each boundary edge once, the mesh to its left
-  std::vector<MarkedEdge> constraints;  ///< interior edges that came from input segments
+  struct InnerFacets {
+    std::vector<MarkedEdge> constraints;  ///< interior edges that came from input segments
 
-  PerId<VertexId, Marker> vertex_markers;      ///< one a vertex, 0 where none
-  PerId<TriangleId, double> regions;           ///< regional attribute, 0 where none (Triangle's convention)
-  std::map<Marker, std::string> marker_names;  ///< e.g. 1 -> "airfoil"
+    [[nodiscard]] std::vector<MarkedEdge>& inner_facets() { return constraints; }
+    [[nodiscard]] const std::vector<MarkedEdge>& inner_facets() const { return constraints; }
+    friend bool operator==(const InnerFacets&, const InnerFacets&) = default;
+  };
 
-  [[nodiscard]] std::size_t vertex_count() const { return points.size(); }
-  [[nodiscard]] std::size_t triangle_count() const { return corners.size(); }
+  static constexpr std::array<std::array<unsigned, 2>, 3> facet_corners{{{1, 2}, {2, 0}, {0, 1}}};
+
+  [[nodiscard]] static std::array<VertexId, 2> corners_of(const MarkedEdge& edge) {
+    return {edge.from, edge.to};
+  }
+  [[nodiscard]] static MarkedEdge marked(const std::array<VertexId, 2>& ends, Marker marker) {
+    return {ends[0], ends[1], marker};
+  }
+
+  static constexpr const char *cell = "triangle", *cells = "triangles", *facet = "edge";
 };
+
+/// A triangle mesh of a plane domain. Its corners turn counter-clockwise, neighbours[t][i] lies across the edge opposite
+/// corners[t][i], `boundary` has the mesh to its left; `constraints` are its inner facets. 24 bytes a triangle.
+using TriangleMesh = SimplexMesh<2>;
 
 }  // namespace leonhard

@@ -3,71 +3,84 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/kernel/predicates3.hpp"
 #include "leonhard/mesh/check/invariants.hpp"
-#include "leonhard/mesh/structures/half_edges.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::mesh {
 namespace {
 
-using VertexPair = std::pair<VertexId, VertexId>;
-
-std::vector<VertexPair> sorted_constraints(const TriangleMesh& mesh) {
-  std::vector<VertexPair> pairs;
-  for (const MarkedEdge& edge : mesh.constraints) {
-    pairs.emplace_back(std::min(edge.from, edge.to), std::max(edge.from, edge.to));
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+template <int Dim>
+std::vector<typename SimplexMesh<Dim>::FacetCorners> sorted_inner_facets(const SimplexMesh<Dim>& mesh) {
+  std::vector<typename SimplexMesh<Dim>::FacetCorners> facets;
+  for (const auto& facet : mesh.inner_facets())
+    facets.push_back(sorted_facet(Simplex<Dim>::corners_of(facet)).corners);
+  std::sort(facets.begin(), facets.end());
+  return facets;
 }
 
-/// The corner of t that does not lie on its edge to `other`.
-VertexId corner_opposite(const TriangleMesh& mesh, TriangleId t, TriangleId other) {
+/// The corner of t that does not lie on its facet to `other`.
+template <int Dim, class CellId>
+VertexId corner_opposite(const SimplexMesh<Dim>& mesh, CellId t, CellId other) {
   const auto& neighbours = mesh.neighbours[t];
   const auto side =
-      std::find(neighbours.begin(), neighbours.end(), MaybeId<TriangleId>(other)) - neighbours.begin();
+      std::find(neighbours.begin(), neighbours.end(), MaybeId<CellId>(other)) - neighbours.begin();
   return mesh.corners[t][static_cast<std::size_t>(side)];
+}
+
+/// Positive: the point lies inside the circumcircle or circumsphere.
+Sign in_circumsphere(const std::array<Point2, 3>& p, Point2 q) {
+  return kernel::incircle(p[0], p[1], p[2], q);
+}
+Sign in_circumsphere(const std::array<Point3, 4>& p, const Point3& q) {
+  return kernel::insphere(p[0], p[1], p[2], p[3], q);
 }
 
 }  // namespace
 
-std::optional<std::string> validate(const TriangleMesh& mesh) {
+template <int Dim>
+std::optional<std::string> validate(const SimplexMesh<Dim>& mesh) {
   if (auto problem = broken_sizes(mesh)) return problem;
   if (auto problem = broken_point(mesh)) return problem;
   if (auto problem = broken_corner(mesh)) return problem;
   if (auto problem = unused_vertex(mesh)) return problem;
   if (auto problem = broken_orientation(mesh)) return problem;
-  const HalfEdgeTable table = half_edge_table(mesh);
-  if (auto problem = broken_edge(mesh, table)) return problem;
+  const HalfFacetTable<Dim> table = half_facet_table(mesh);
+  if (auto problem = broken_facet(mesh, table)) return problem;
   if (auto problem = broken_neighbour(mesh, table)) return problem;
-  if (auto problem = broken_boundary(mesh, BoundaryEdges(mesh))) return problem;
-  return broken_constraint(mesh, table);
+  if (auto problem = broken_boundary(mesh, BoundaryFacets<Dim>(mesh))) return problem;
+  return broken_inner_facet(mesh, table);
 }
 
-std::optional<std::string> validate_delaunay(const TriangleMesh& mesh) {
-  std::optional<std::vector<VertexPair>> constraints;  // made when the first edge fails
-  for (const TriangleId t : mesh.corners.ids()) {
-    const auto& [a, b, c] = mesh.corners[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const MaybeId<TriangleId> neighbour = mesh.neighbours[t][i];
+template <int Dim>
+std::optional<std::string> validate_delaunay(const SimplexMesh<Dim>& mesh) {
+  std::optional<std::vector<typename SimplexMesh<Dim>::FacetCorners>>
+      excepted;  // made when the first one fails
+  for (const auto t : mesh.corners.ids()) {
+    std::array<typename Simplex<Dim>::Point, Dim + 1> p;
+    for (std::size_t i = 0; i <= Dim; ++i) p[i] = mesh.points[mesh.corners[t][i]];
+    for (std::size_t i = 0; i <= Dim; ++i) {
+      const auto neighbour = mesh.neighbours[t][i];
       if (!neighbour || *neighbour < t) continue;
-      const VertexId d = corner_opposite(mesh, *neighbour, t);
-      if (kernel::incircle(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]) != Sign::positive)
-        continue;
-      const VertexId from = mesh.corners[t][(i + 1) % 3], to = mesh.corners[t][(i + 2) % 3];
-      if (!constraints) constraints = sorted_constraints(mesh);
-      const VertexPair edge(std::min(from, to), std::max(from, to));
-      if (std::binary_search(constraints->begin(), constraints->end(), edge)) continue;
-      return words(mesh, from, to) + " is not locally Delaunay: " + words(mesh, d) +
-             ", a corner of triangle " + std::to_string((*neighbour).raw) +
-             ", lies inside the circumcircle of " + words(mesh, t);
+      const VertexId q = corner_opposite(mesh, *neighbour, t);
+      if (in_circumsphere(p, mesh.points[q]) != Sign::positive) continue;
+      if (!excepted) excepted = sorted_inner_facets(mesh);
+      const auto facet = outward_facet(mesh.corners[t], i);
+      if (std::binary_search(excepted->begin(), excepted->end(), sorted_facet(facet).corners)) continue;
+      return words(mesh, facet) + " is not locally Delaunay: " + words(mesh, q) + ", a corner of " +
+             Simplex<Dim>::cell + " " + std::to_string((*neighbour).raw) + ", lies inside the " +
+             (Dim == 2 ? "circumcircle" : "circumsphere") + " of " + words(mesh, t);
     }
   }
   return std::nullopt;
 }
+
+template std::optional<std::string> validate(const SimplexMesh<2>&);
+template std::optional<std::string> validate(const SimplexMesh<3>&);
+template std::optional<std::string> validate_delaunay(const SimplexMesh<2>&);
+template std::optional<std::string> validate_delaunay(const SimplexMesh<3>&);
 
 }  // namespace leonhard::mesh

@@ -9,19 +9,34 @@
 
 namespace leonhard::mesh {
 
-/// The first broken invariant of TriangleMesh in words, with ids and coordinates; none if all hold. In this order:
-/// - neighbours and regions have one entry a triangle, vertex_markers one a vertex
+/// The first broken invariant of a mesh in words, with ids and coordinates; none if all hold. In this order:
+/// - neighbours and regions have one entry a cell, vertex_markers one a vertex
 /// - points are finite
-/// - corners are vertices, three different ones a triangle
-/// - every vertex has a triangle
-/// - every triangle is counter-clockwise by exact orient2d
-/// - no edge has three triangles, or two on the same side
-/// - neighbours are exactly the triangles that share an edge
-/// - boundary has the edges with one triangle, each once, the mesh on the left
-/// - constraints are interior edges
+/// - corners are vertices, all different in a cell
+/// - every vertex has a cell
+/// - every triangle is counter-clockwise by exact orient2d, every tetrahedron positive by exact orient3d
+/// - no edge has three triangles and no face three tetrahedra, or two on the same side
+/// - neighbours are exactly the cells that share such a facet
+/// - boundary has the facets with one cell, each once: the mesh to the left of an edge, the normal of a face outwards
+/// - constraints, interfaces lie between two cells
 ///
-/// Cost O(vertices + triangles + boundary log boundary).
-[[nodiscard]] std::optional<std::string> validate(const TriangleMesh& mesh);
+/// Cost O(vertices + cells + boundary log boundary).
+template <int Dim>
+[[nodiscard]] std::optional<std::string> validate(const SimplexMesh<Dim>& mesh);
+
+/// The first edge (of triangles) or face (of tetrahedra) that is not locally Delaunay, in words: the opposite corner of
+/// one of its cells lies strictly inside the circumcircle or circumsphere of the other, by exact incircle or insphere.
+/// Facets in mesh.constraints or mesh.interfaces are excepted.
+///
+/// A triangle mesh that passes, and whose boundary and constraints are taken as given, is constrained Delaunay
+/// (Delaunay's lemma; Barth's notes 3.2, Lee and Lin 1986 for constraints). A tetrahedral one that passes, and that fills
+/// the convex hull of its points (validate_convex), is a Delaunay tetrahedralisation of them; one of which neither is
+/// known is locally Delaunay, no more.
+///
+/// mesh    `validate` finds nothing wrong with it
+/// Cost O(cells), and O(inner facets log inner facets) where a facet fails.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> validate_delaunay(const SimplexMesh<Dim>& mesh);
 
 /// Whether triangles overlap although each one is positive: the words for the first place found, none if the
 /// mesh lies properly in the plane.
@@ -42,31 +57,6 @@ namespace leonhard::mesh {
 /// Cost O(triangles + boundary log boundary).
 [[nodiscard]] std::optional<std::string> validate_embedding(const TriangleMesh& mesh);
 
-/// The first edge that is not locally Delaunay, in words: the opposite corner of one of its triangles lies
-/// strictly inside the circumcircle of the other, by exact incircle. Edges in mesh.constraints are excepted.
-/// A mesh that passes, and whose boundary and constraints are taken as given, is constrained Delaunay
-/// (Delaunay's lemma; Barth's notes 3.2, Lee and Lin 1986 for constraints).
-///
-/// mesh    `validate` finds nothing wrong with it
-/// Cost O(triangles), and O(constraints log constraints) where an edge fails.
-[[nodiscard]] std::optional<std::string> validate_delaunay(const TriangleMesh& mesh);
-
-// ---- tetrahedra ----
-
-/// The first broken invariant of TetMesh in words, with ids and coordinates; none if all hold. In this order:
-/// - neighbours and regions have one entry a tetrahedron, vertex_markers one a vertex
-/// - points are finite
-/// - corners are vertices, four different ones a tetrahedron
-/// - every vertex has a tetrahedron
-/// - every tetrahedron is positive by exact orient3d
-/// - no face has three tetrahedra, or two on the same side
-/// - neighbours are exactly the tetrahedra that share a face
-/// - boundary has the faces with one tetrahedron, each once, the normal pointing outwards
-/// - interfaces lie between two tetrahedra
-///
-/// Cost O(vertices + tetrahedra + boundary log boundary).
-[[nodiscard]] std::optional<std::string> validate(const TetMesh& mesh);
-
 /// Whether tetrahedra overlap although each one is positive: the words for the first place found, none if the mesh lies
 /// properly in space.
 ///
@@ -84,15 +74,6 @@ namespace leonhard::mesh {
 ///
 /// Cost O(tetrahedra + boundary log boundary) where boundary faces are about as large as their distances.
 [[nodiscard]] std::optional<std::string> validate_embedding(const TetMesh& mesh);
-
-/// The first face that is not locally Delaunay, in words: the opposite corner of one of its tetrahedra lies strictly
-/// inside the circumsphere of the other, by exact insphere. Faces in mesh.interfaces are excepted. A mesh that passes,
-/// and that fills the convex hull of its points (validate_convex), is a Delaunay tetrahedralisation of them (Delaunay's
-/// lemma); one of which neither is known is locally Delaunay, no more.
-///
-/// mesh    `validate` finds nothing wrong with it
-/// Cost O(tetrahedra), and O(interfaces log interfaces) where a face fails.
-[[nodiscard]] std::optional<std::string> validate_delaunay(const TetMesh& mesh);
 
 /// Whether the tetrahedra fill the convex hull of the points, each place once: the words for the first thing that speaks
 /// against it, none if they do.

@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/words.hpp"
 
+#include <array>
 #include <charconv>
 
 namespace leonhard::mesh {
 namespace {
 
-template <class Mesh>
-std::string vertex_words(const Mesh& mesh, VertexId v) {
-  std::string text = "vertex " + std::to_string(v.raw);
-  if (mesh.points.contains(v)) text += " at " + words(mesh.points[v]);
-  return text;
-}
-
-template <class Mesh>
-std::string edge_words(const Mesh& mesh, VertexId from, VertexId to) {
-  std::string text = "edge " + std::to_string(from.raw) + "-" + std::to_string(to.raw);
-  if (mesh.points.contains(from) && mesh.points.contains(to)) {
-    text += " from " + words(mesh.points[from]) + " to " + words(mesh.points[to]);
-  }
-  return text;
-}
-
 /// "(0, 0), (1, 0)".
-template <class Mesh, class Corners>
-std::string place_words(const Mesh& mesh, const Corners& corners) {
+template <int Dim, class Corners>
+std::string place_words(const SimplexMesh<Dim>& mesh, const Corners& corners) {
   std::string places;
   for (const VertexId v : corners) {
     if (!places.empty()) places += ", ";
@@ -43,13 +28,6 @@ std::string id_words(const Corners& corners, const char* between) {
   return ids;
 }
 
-template <class Mesh, class CellId>
-std::string cell_words(const Mesh& mesh, const char* cell, CellId t) {
-  const auto& corners = mesh.corners[t];
-  return cell + std::string(" ") + std::to_string(t.raw) + " (vertices " + id_words(corners, ", ") + " at " +
-         place_words(mesh, corners) + ")";
-}
-
 }  // namespace
 
 std::string words(double value) {
@@ -61,17 +39,42 @@ std::string words(double value) {
 std::string words(Point2 p) { return "(" + words(p.x) + ", " + words(p.y) + ")"; }
 std::string words(const Point3& p) { return "(" + words(p.x) + ", " + words(p.y) + ", " + words(p.z) + ")"; }
 
-std::string words(const TriangleMesh& mesh, VertexId v) { return vertex_words(mesh, v); }
-std::string words(const TetMesh& mesh, VertexId v) { return vertex_words(mesh, v); }
-
-std::string words(const TriangleMesh& mesh, VertexId from, VertexId to) { return edge_words(mesh, from, to); }
-std::string words(const TetMesh& mesh, VertexId from, VertexId to) { return edge_words(mesh, from, to); }
-
-std::string words(const TetMesh& mesh, const std::array<VertexId, 3>& face) {
-  return "face " + id_words(face, "-") + " at " + place_words(mesh, face);
+template <int Dim>
+std::string words(const SimplexMesh<Dim>& mesh, VertexId v) {
+  std::string text = "vertex " + std::to_string(v.raw);
+  if (mesh.points.contains(v)) text += " at " + words(mesh.points[v]);
+  return text;
 }
 
-std::string words(const TriangleMesh& mesh, TriangleId t) { return cell_words(mesh, "triangle", t); }
-std::string words(const TetMesh& mesh, TetId t) { return cell_words(mesh, "tetrahedron", t); }
+template <int Dim>
+std::string words(const SimplexMesh<Dim>& mesh, VertexId from, VertexId to) {
+  std::string text = "edge " + std::to_string(from.raw) + "-" + std::to_string(to.raw);
+  if (mesh.points.contains(from) && mesh.points.contains(to)) {
+    text += " from " + words(mesh.points[from]) + " to " + words(mesh.points[to]);
+  }
+  return text;
+}
+
+template <int Dim>
+std::string words(const SimplexMesh<Dim>& mesh, const typename SimplexMesh<Dim>::FacetCorners& facet) {
+  if constexpr (Dim == 2) return words(mesh, facet[0], facet[1]);
+  return "face " + id_words(facet, "-") + " at " + place_words(mesh, facet);
+}
+
+template <int Dim>
+std::string words(const SimplexMesh<Dim>& mesh, typename SimplexMesh<Dim>::CellId cell) {
+  const auto& corners = mesh.corners[cell];
+  return Simplex<Dim>::cell + (" " + std::to_string(cell.raw)) + " (vertices " + id_words(corners, ", ") +
+         " at " + place_words(mesh, corners) + ")";
+}
+
+template std::string words(const SimplexMesh<2>&, VertexId);
+template std::string words(const SimplexMesh<3>&, VertexId);
+template std::string words(const SimplexMesh<2>&, VertexId, VertexId);
+template std::string words(const SimplexMesh<3>&, VertexId, VertexId);
+template std::string words<2>(const SimplexMesh<2>&, const SimplexMesh<2>::FacetCorners&);
+template std::string words<3>(const SimplexMesh<3>&, const SimplexMesh<3>::FacetCorners&);
+template std::string words<2>(const SimplexMesh<2>&, TriangleId);
+template std::string words<3>(const SimplexMesh<3>&, TetId);
 
 }  // namespace leonhard::mesh

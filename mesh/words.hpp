@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "leonhard/mesh/tet_mesh.hpp"
@@ -19,20 +18,21 @@ namespace leonhard::mesh {
 [[nodiscard]] std::string words(const Point3& p);
 
 /// "vertex 17 at (0.5, 1)"; without the place where the mesh has no such vertex.
-[[nodiscard]] std::string words(const TriangleMesh& mesh, VertexId v);
-[[nodiscard]] std::string words(const TetMesh& mesh, VertexId v);
+template <int Dim>
+[[nodiscard]] std::string words(const SimplexMesh<Dim>& mesh, VertexId v);
 
 /// "edge 3-8 from (0, 0) to (1, 0)".
-[[nodiscard]] std::string words(const TriangleMesh& mesh, VertexId from, VertexId to);
-[[nodiscard]] std::string words(const TetMesh& mesh, VertexId from, VertexId to);
+template <int Dim>
+[[nodiscard]] std::string words(const SimplexMesh<Dim>& mesh, VertexId from, VertexId to);
 
-/// "face 3-8-9 at (0, 0, 0), (1, 0, 0), (0, 1, 0)".
-[[nodiscard]] std::string words(const TetMesh& mesh, const std::array<VertexId, 3>& face);
+/// An edge of a triangle mesh as above; "face 3-8-9 at (0, 0, 0), (1, 0, 0), (0, 1, 0)".
+template <int Dim>
+[[nodiscard]] std::string words(const SimplexMesh<Dim>& mesh,
+                                const typename SimplexMesh<Dim>::FacetCorners& facet);
 
-/// "triangle 4 (vertices 1, 2, 3 at (0, 0), (1, 0), (0, 1))".
-[[nodiscard]] std::string words(const TriangleMesh& mesh, TriangleId t);
-
+/// "triangle 4 (vertices 1, 2, 3 at (0, 0), (1, 0), (0, 1))",
 /// "tetrahedron 4 (vertices 1, 2, 3, 5 at (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))".
-[[nodiscard]] std::string words(const TetMesh& mesh, TetId t);
+template <int Dim>
+[[nodiscard]] std::string words(const SimplexMesh<Dim>& mesh, typename SimplexMesh<Dim>::CellId cell);
 
 }  // namespace leonhard::mesh

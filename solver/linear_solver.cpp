@@ -4,6 +4,7 @@
 #include <petscksp.h>
 
 #include <algorithm>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -70,6 +71,7 @@ struct BlockSystem::Petsc {
   KSP ksp = nullptr;
   Vec x = nullptr, b = nullptr;
   const LinearOperator* product = nullptr;
+  std::exception_ptr thrown;  ///< by the product: kept while PETSc's C frames are left by an error code
   std::stop_token stop;
   bool stopped = false;
   double first_norm = 0, last_norm = 0, relative_tolerance = 0;
@@ -115,11 +117,18 @@ struct BlockSystem::Petsc::Callbacks {
     auto& self = *static_cast<Petsc*>(context);
     const PetscScalar* from = nullptr;
     PetscScalar* to = nullptr;
-    VecGetArrayRead(x, &from);
-    VecGetArray(y, &to);
-    (*self.product)({from, self.size}, {to, self.size});
-    VecRestoreArray(y, &to);
-    return VecRestoreArrayRead(x, &from);
+    if ((code = VecGetArrayRead(x, &from)) != 0) return code;
+    if ((code = VecGetArray(y, &to)) != 0) return code;
+    PetscErrorCode failed = 0;
+    try {
+      (*self.product)({from, self.size}, {to, self.size});
+    } catch (...) {
+      self.thrown = std::current_exception();
+      failed = PETSC_ERR_USER;
+    }
+    if ((code = VecRestoreArray(y, &to)) != 0) return code;
+    if ((code = VecRestoreArrayRead(x, &from)) != 0) return code;
+    return failed;
   }
 };
 
@@ -223,6 +232,7 @@ LinearReport BlockSystem::solve(std::span<const double> b, std::span<double> x, 
   self.product = &product;
   self.stop = std::move(stop);
   self.stopped = false;
+  self.thrown = nullptr;
   self.relative_tolerance = options.relative_tolerance;
   self.max_iterations = options.max_iterations;
   check(KSPSetOperators(self.ksp, product ? self.shell : self.matrix, self.matrix), "KSPSetOperators");
@@ -234,6 +244,7 @@ LinearReport BlockSystem::solve(std::span<const double> b, std::span<double> x, 
   const PetscErrorCode code = KSPSolve(self.ksp, self.b, self.x);
   VecResetArray(self.b);
   VecResetArray(self.x);
+  if (self.thrown) std::rethrow_exception(std::exchange(self.thrown, nullptr));
   check(code, "KSPSolve");
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
   PetscInt iterations = 0;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 namespace leonhard {
@@ -30,10 +31,25 @@ namespace solver {
 
 enum class LinearOutcome { reached, iteration_limit, breakdown, stopped };
 
+/// The word for it, e.g. "reached".
+[[nodiscard]] constexpr std::string_view to_string(LinearOutcome outcome) {
+  switch (outcome) {
+    case LinearOutcome::reached:
+      return "reached";
+    case LinearOutcome::iteration_limit:
+      return "iteration_limit";
+    case LinearOutcome::breakdown:
+      return "breakdown";
+    case LinearOutcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 struct LinearReport {
   LinearOutcome outcome{};
   int iterations{};
-  double relative_residual{};  ///< last preconditioned norm over the first
+  double relative_residual{};  ///< last norm of b - A x over the first, as GMRES has it; not preconditioned
 };
 
 struct LinearOptions {
@@ -61,7 +77,8 @@ class BlockSystem {
   [[nodiscard]] bool factor(std::span<const double> blocks);
 
   /// Solve A x = b by GMRES, preconditioned from the right by the last factors, started at 0.
-  /// product  A; empty: the matrix itself
+  /// product  A; empty: the matrix itself. What it throws ends the solve and passes through to the caller
+  /// throws   std::runtime_error naming the call of PETSc that failed
   [[nodiscard]] LinearReport solve(std::span<const double> b, std::span<double> x,
                                    const LinearOptions& options, const LinearOperator& product = {},
                                    std::stop_token stop = {});

@@ -10,22 +10,6 @@
 
 namespace leonhard {
 
-std::string_view to_string(BoundaryKind kind) {
-  switch (kind) {
-    case BoundaryKind::slip_wall:
-      return "slip_wall";
-    case BoundaryKind::far_field:
-      return "far_field";
-    case BoundaryKind::supersonic_inflow:
-      return "supersonic_inflow";
-    case BoundaryKind::supersonic_outflow:
-      return "supersonic_outflow";
-    case BoundaryKind::symmetry:
-      return "symmetry";
-  }
-  return "";
-}
-
 namespace solver {
 namespace {
 

@@ -3,24 +3,12 @@
 
 #include <functional>
 #include <map>
-#include <string_view>
 
 #include "leonhard/mesh/triangle_mesh.hpp"
 #include "leonhard/solver/gas.hpp"
+#include "leonhard/solver/kinds.hpp"
 
 namespace leonhard {
-
-/// What happens at a part of the boundary.
-enum class BoundaryKind {
-  slip_wall,           ///< no flow through it; forces are summed over it
-  far_field,           ///< Roe flux against the free stream: in and out by characteristics
-  supersonic_inflow,   ///< everything is prescribed
-  supersonic_outflow,  ///< everything is taken from inside
-  symmetry,            ///< as a slip wall, without forces
-};
-
-/// The word used in case files and reports, e.g. "slip_wall".
-[[nodiscard]] std::string_view to_string(BoundaryKind kind);
 
 /// What coefficients refer to: length is also the reference area per unit span.
 struct Reference {
@@ -31,17 +19,17 @@ struct Reference {
 /// The Euler equations about something. Holds a reference to the mesh, which must outlive it.
 struct EulerProblem {
   const TriangleMesh& mesh;
-  Gas gas;
-  FreeStream free_stream;
-  std::map<Marker, BoundaryKind> boundary;  ///< one entry for each marker on mesh.boundary, no other
-  Reference reference;
+  Gas gas{};
+  FreeStream free_stream{};
+  std::map<Marker, BoundaryKind> boundary{};  ///< one entry for each marker on mesh.boundary, no other
+  Reference reference{};
   /// Far-field states are those of a compressible point vortex whose circulation is that of the current lift
   /// (Thomas and Salas, AIAA Journal 24(7), 1986); ignored where the free stream is supersonic.
   bool vortex_correction = true;
   Point2 vortex_centre{0.25, 0};
   /// When set, replaces the free stream on far_field and supersonic_inflow (exact solutions, inflow
   /// profiles).
-  std::function<State(Point2)> outer_state;
+  std::function<State(Point2)> outer_state{};
 };
 
 namespace solver {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "leonhard/solver/steady_options.hpp"
 #include "leonhard/solver/support/parallel.hpp"
 #include "leonhard/solver/sweep/boundary.hpp"
 #include "leonhard/solver/sweep/edge_plan.hpp"
@@ -12,11 +13,11 @@ namespace leonhard::solver {
 
 struct SpatialOptions {
   int order = 2;  ///< 1 or 2
-  SweepLimiter limiter = SweepLimiter::venkatakrishnan;
-  double venkatakrishnan_k = 1;  ///< epsilon^2 = (k h / length)^3, h^2 the control volume
+  LimiterKind limiter = LimiterKind::venkatakrishnan;
+  double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double entropy_fix = 0.05;
   int threads = 1;
-  std::vector<std::uint32_t> part_of;  ///< one a vertex, below parts; empty: see EdgePlan
+  std::vector<std::uint32_t> part_of{};  ///< one a vertex, below parts; empty: see EdgePlan
   std::uint32_t parts = 0;
 };
 

@@ -9,45 +9,8 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/solver/march/march.hpp"
 
-namespace leonhard {
-
-std::string_view to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::converged:
-      return "converged";
-    case Verdict::settled:
-      return "settled";
-    case Verdict::stalled:
-      return "stalled";
-    case Verdict::diverged:
-      return "diverged";
-    case Verdict::iteration_limit:
-      return "iteration_limit";
-    case Verdict::stopped:
-      return "stopped";
-  }
-  return "";
-}
-
-namespace solver {
+namespace leonhard::solver {
 namespace {
-
-SweepLimiter sweep_limiter(LimiterKind kind) {
-  switch (kind) {
-    case LimiterKind::none:
-      return SweepLimiter::none;
-    case LimiterKind::venkatakrishnan:
-      return SweepLimiter::venkatakrishnan;
-    case LimiterKind::barth_jespersen:
-      return SweepLimiter::barth_jespersen;
-  }
-  return SweepLimiter::none;
-}
-
-SpatialOptions spatial_options(const SteadyOptions& o) {
-  return {o.order, sweep_limiter(o.limiter), o.venkatakrishnan_k, o.entropy_fix, o.threads, o.part_of,
-          o.parts};
-}
 
 void require(bool good, const char* name, double value, const char* remedy) {
   if (!good) throw InputError(name, "is " + std::to_string(value), remedy);
@@ -96,56 +59,6 @@ void check_options(const EulerProblem& problem, const SteadyOptions& o) {
 
 }  // namespace
 
-March::March(const EulerProblem& p, const SteadyOptions& o, ConvergenceMonitor& b, std::stop_token s)
-    : problem(p),
-      options(o),
-      book(b),
-      stop(std::move(s)),
-      operator_(p, spatial_options(o)),
-      state(o.initial.empty()
-                ? PerId<VertexId, State>(p.mesh.vertex_count(), free_stream_state(p.gas, p.free_stream))
-                : o.initial) {}
-
-std::optional<Verdict> March::start() {
-  bad_vertex = find_bad_vertex(problem, state, {});
-  if (!bad_vertex) {
-    operator_.evaluate(state, residual);
-    first_norm = norm = residual_norm(residual, state.size());
-    if (!std::isfinite(norm)) bad_vertex = find_bad_vertex(problem, state, residual);
-  }
-  if (bad_vertex) return Verdict::diverged;
-  return record(0);
-}
-
-std::optional<Verdict> March::record(int number) {
-  const Forces forces = total(wall_forces(problem, state));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  // A start that is the solution already (an empty channel, say) counts as converged: nothing is left to reduce.
-  const double drop = norm > 1e-15 * (1 + first_norm) ? std::log10(first_norm / norm) : 99.0;
-  const Iteration iteration{number, drop, forces.cl, forces.cd, forces.cm, cfl, linear_iterations, seconds};
-  linear_iterations = 0;
-  return book.record(iteration);
-}
-
-void to_conserved(Gas gas, const PerId<VertexId, State>& state, std::vector<double>& conserved) {
-  conserved.resize(4 * state.size());
-  for (const VertexId v : state.ids()) {
-    const Conserved q = conserved_of(gas, state[v]);
-    for (std::size_t i = 0; i < 4; ++i) conserved[4 * v.index() + i] = q[i];
-  }
-}
-
-bool to_states(Gas gas, const std::vector<double>& conserved, PerId<VertexId, State>& state) {
-  bool physical = true;
-  state.resize(conserved.size() / 4);
-  for (const VertexId v : state.ids()) {
-    const double* q = conserved.data() + 4 * v.index();
-    state[v] = state_of(gas, {q[0], q[1], q[2], q[3]});
-    physical = physical && is_physical(state[v]);
-  }
-  return physical;
-}
-
 SteadyResult solve_steady(const EulerProblem& problem, const SteadyOptions& options,
                           const std::function<void(const Iteration&)>& monitor, std::stop_token stop) {
   check_problem(problem);
@@ -168,9 +81,8 @@ SteadyResult solve_steady(const EulerProblem& problem, const SteadyOptions& opti
   result.forces = total(result.forces_by_marker);
   result.surface = surface_lines(problem, result.state);
   result.rejected_steps = march.rejected;
-  result.sweep = march.operator_.kernels().name;
+  result.sweep = march.spatial.kernels().name;
   return result;
 }
 
-}  // namespace solver
-}  // namespace leonhard
+}  // namespace leonhard::solver

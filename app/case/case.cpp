@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/case/case.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -18,20 +18,20 @@
 namespace leonhard::app {
 namespace {
 
-constexpr std::pair<std::string_view, Condition> condition_words[] = {
-    {"slip-wall", Condition::slip_wall},
-    {"far-field", Condition::far_field},
-    {"supersonic-inflow", Condition::supersonic_inflow},
-    {"supersonic-outflow", Condition::supersonic_outflow},
-    {"symmetry", Condition::symmetry}};
+constexpr std::pair<std::string_view, BoundaryKind> condition_words[] = {
+    {"slip-wall", BoundaryKind::slip_wall},
+    {"far-field", BoundaryKind::far_field},
+    {"supersonic-inflow", BoundaryKind::supersonic_inflow},
+    {"supersonic-outflow", BoundaryKind::supersonic_outflow},
+    {"symmetry", BoundaryKind::symmetry}};
 constexpr std::pair<std::string_view, TrailingEdge> trailing_edge_words[] = {
     {"sharp", TrailingEdge::sharp}, {"open", TrailingEdge::open}, {"closed", TrailingEdge::closed}};
-constexpr std::pair<std::string_view, MarchingChoice> marching_words[] = {
-    {"implicit", MarchingChoice::implicit_ptc}, {"explicit", MarchingChoice::explicit_multistage}};
-constexpr std::pair<std::string_view, LimiterChoice> limiter_words[] = {
-    {"venkatakrishnan", LimiterChoice::venkatakrishnan},
-    {"barth-jespersen", LimiterChoice::barth_jespersen},
-    {"none", LimiterChoice::none}};
+constexpr std::pair<std::string_view, Marching> marching_words[] = {
+    {"implicit", Marching::implicit_ptc}, {"explicit", Marching::explicit_multistage}};
+constexpr std::pair<std::string_view, LimiterKind> limiter_words[] = {
+    {"venkatakrishnan", LimiterKind::venkatakrishnan},
+    {"barth-jespersen", LimiterKind::barth_jespersen},
+    {"none", LimiterKind::none}};
 constexpr std::pair<std::string_view, OrderChoice> order_words[] = {
     {"reverse-cuthill-mckee", OrderChoice::reverse_cuthill_mckee}, {"none", OrderChoice::none}};
 
@@ -147,10 +147,10 @@ void complete_boundaries(Case& c, CaseLog& log) {
       throw InputError(boundary.where, fmt::format("the case has no boundary \"{}\"", name),
                        suggestion(name, names));
   for (const std::string& name : names) {
-    const Condition fallback = name == "farfield" ? Condition::far_field : Condition::slip_wall;
+    const BoundaryKind fallback = name == "farfield" ? BoundaryKind::far_field : BoundaryKind::slip_wall;
     if (c.boundary.try_emplace(name, BoundaryCase{fallback, name, c.file.string()}).second)
       log.in_force.push_back({"boundary." + name + ".kind",
-                              fallback == Condition::far_field ? "\"far-field\"" : "\"slip-wall\"", true});
+                              fallback == BoundaryKind::far_field ? "\"far-field\"" : "\"slip-wall\"", true});
   }
 }
 
@@ -161,12 +161,12 @@ void read_boundaries(SectionReader& top, Case& c, CaseLog& log) {
     BoundaryCase boundary;
     boundary.where = where;
     boundary.kind =
-        reader.choice("kind", std::optional<Condition>(), SectionReader::Words<Condition>(condition_words));
+        reader.choice("kind", std::optional<BoundaryKind>(), SectionReader::Words<BoundaryKind>(condition_words));
     boundary.name = reader.text("name", name, "NAME");
     const bool by_number =
         std::ranges::all_of(name, [](unsigned char ch) { return std::isdigit(ch) || ch == '-'; });
     if (!by_number) reader.refuse("name", "only a marker given by its number needs a name");
-    if (boundary.kind == Condition::supersonic_inflow && c.flow.mach <= 1)
+    if (boundary.kind == BoundaryKind::supersonic_inflow && c.flow.mach <= 1)
       throw InputError(
           reader.where("kind"),
           fmt::format("boundary.{} is a supersonic inflow but flow.mach is {}", name, c.flow.mach),
@@ -187,15 +187,15 @@ ReferenceCase read_reference(SectionReader reference) {
 SolverCase read_solver(SectionReader solver) {
   SolverCase s;
   s.marching = solver.choice("marching", std::optional(s.marching),
-                             SectionReader::Words<MarchingChoice>(marching_words));
+                             SectionReader::Words<Marching>(marching_words));
   s.order = static_cast<int>(solver.integer("order", s.order, 1, 2));
   s.limiter =
-      solver.choice("limiter", std::optional(s.limiter), SectionReader::Words<LimiterChoice>(limiter_words));
+      solver.choice("limiter", std::optional(s.limiter), SectionReader::Words<LimiterKind>(limiter_words));
   s.venkatakrishnan_k = solver.number("venkatakrishnan_k", s.venkatakrishnan_k, at_least(0));
   s.entropy_fix = solver.number("entropy_fix", s.entropy_fix, between(0, 1));
   s.residual_drop_orders =
       solver.number("residual_drop_orders", s.residual_drop_orders, {0, 16, true, false});
-  const int usual_iterations = s.marching == MarchingChoice::implicit_ptc ? 500 : 50'000;
+  const int usual_iterations = s.marching == Marching::implicit_ptc ? 500 : 50'000;
   s.max_iterations = static_cast<int>(
       solver.integer("max_iterations", usual_iterations, 1, 1'000'000'000, "500 implicit, 50000 explicit"));
   s.cfl_start = solver.optional_number("cfl_start", above(0), "chosen by the marching");

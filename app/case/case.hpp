@@ -10,16 +10,12 @@
 
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/point.hpp"
+#include "leonhard/solver/steady_options.hpp"
 
 namespace leonhard::app {
 
-/// What a boundary does to the flow: the value of `kind` in [boundary.NAME].
-enum class Condition { slip_wall, far_field, supersonic_inflow, supersonic_outflow, symmetry };
-
 enum class TrailingEdge { sharp, open, closed };  ///< body.trailing_edge, see geometry/naca4.hpp
-enum class MarchingChoice { implicit_ptc, explicit_multistage };      ///< solver.marching
-enum class LimiterChoice { venkatakrishnan, barth_jespersen, none };  ///< solver.limiter
-enum class OrderChoice { reverse_cuthill_mckee, none };               ///< order.method
+enum class OrderChoice { reverse_cuthill_mckee, none };  ///< order.method
 
 /// One [[body]]. Lengths called "chords" are multiples of [reference] length.
 struct BodyCase {
@@ -60,7 +56,7 @@ struct MesherCase {
 
 /// [boundary.NAME]: NAME is a body's name, "farfield", a marker's name in a mesh file, or a marker's number.
 struct BoundaryCase {
-  Condition kind = Condition::slip_wall;
+  BoundaryKind kind = BoundaryKind::slip_wall;
   std::string name;   ///< for a marker given by its number: what to call it; else NAME itself
   std::string where;  ///< "case.toml:12"
 };
@@ -71,10 +67,10 @@ struct ReferenceCase {
 };
 
 struct SolverCase {
-  MarchingChoice marching = MarchingChoice::implicit_ptc;
+  Marching marching = SteadyOptions{}.marching;
   int order = 2;
-  LimiterChoice limiter = LimiterChoice::venkatakrishnan;
-  double venkatakrishnan_k = 3;
+  LimiterKind limiter = SteadyOptions{}.limiter;
+  double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double residual_drop_orders = 8;
   double entropy_fix = 0.05;
   int max_iterations = 500;         ///< default 500 implicit, 50,000 explicit

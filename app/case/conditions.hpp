@@ -13,7 +13,7 @@ namespace leonhard::app {
 /// A marker of the mesh with what the case file says about it.
 struct NamedCondition {
   std::string name;  ///< for reports and pictures
-  Condition kind;
+  BoundaryKind kind;
 };
 
 /// Join the case file's [boundary.NAME] sections to the markers of a mesh.

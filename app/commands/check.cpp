@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "leonhard/app/commands/commands.hpp"
@@ -27,23 +26,24 @@ struct CheckOptions {
 };
 
 /// Report and text: to the files and streams that were asked for.
-void show(const CheckOptions& options, Json report, const std::vector<std::string>& warnings,
-          const std::string& text) {
-  report["warnings"] = warnings;
-  if (!options.common.output.empty()) io::write_file_atomically(options.common.output, report.dump(2) + "\n");
+template <class Report>
+void show(const CheckOptions& options, const Report& report, const std::vector<std::string>& warnings) {
+  Json json = to_json(report);
+  json["warnings"] = warnings;
+  if (!options.common.output.empty()) io::write_file_atomically(options.common.output, json.text() + "\n");
   if (options.common.json) {
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", json.text());
   } else {
-    fmt::print("{}", text);
+    fmt::print("{}", text_of(report));
     for (const std::string& warning : warnings) fmt::print("{:<14}{}\n", "warning", warning);
   }
 }
 
 ExitCode check_mesh(const CheckOptions& options) {
   const MeshFile file = io::read_mesh(options.file);
-  const Json report = mesh_report(file.mesh);
-  show(options, report, file.warnings, mesh_report_text(report));
-  return is_sound(report) ? ExitCode::done : ExitCode::goal_not_met;
+  const MeshReport report = mesh_report(file.mesh);
+  show(options, report, file.warnings);
+  return report.is_sound() ? ExitCode::done : ExitCode::goal_not_met;
 }
 
 ExitCode check_points(const CheckOptions& options) {
@@ -52,16 +52,16 @@ ExitCode check_points(const CheckOptions& options) {
   delaunay::AlgorithmOptions work{
       .seed = options.common.seed, .threads = static_cast<unsigned>(options.common.threads), .progress = {}};
   work.progress.stop = signals.token();
-  const Json report = points_report(file.set.points, work);
-  show(options, report, file.warnings, points_report_text(report));
-  return report["outcome"] == "stopped" ? ExitCode::stopped : ExitCode::done;
+  const PointsReport report = points_report(file.set.points, work);
+  show(options, report, file.warnings);
+  return report.outcome == delaunay::TriangulateOutcome::stopped ? ExitCode::stopped : ExitCode::done;
 }
 
 ExitCode check_tet_mesh(const CheckOptions& options) {
   const TetMeshFile file = io::read_tet_mesh(options.file);
-  const Json report = tet_mesh_report(file.mesh);
-  show(options, report, file.warnings, tet_mesh_report_text(report));
-  return is_sound_in_space(report) ? ExitCode::done : ExitCode::goal_not_met;
+  const TetReport report = tet_mesh_report(file.mesh);
+  show(options, report, file.warnings);
+  return report.is_sound() ? ExitCode::done : ExitCode::goal_not_met;
 }
 
 ExitCode check_points3(const CheckOptions& options) {
@@ -71,9 +71,9 @@ ExitCode check_points3(const CheckOptions& options) {
   work.seed = options.common.seed;
   work.threads = static_cast<unsigned>(options.common.threads);
   work.progress.stop = signals.token();
-  const Json report = points3_report(file.set.points, work);
-  show(options, report, file.warnings, points3_report_text(report));
-  return report["outcome"] == "stopped" ? ExitCode::stopped : ExitCode::done;
+  const Points3Report report = points3_report(file.set.points, work);
+  show(options, report, file.warnings);
+  return report.outcome == delaunay::TetrahedralizeOutcome::stopped ? ExitCode::stopped : ExitCode::done;
 }
 
 ExitCode check(const CheckOptions& options) {
@@ -85,16 +85,17 @@ ExitCode check(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      program.add_subcommand("check",
-                             "Euler's account, validity, Delaunay property, quality and "
-                             "fingerprint of a mesh of the plane or of space, or an account of "
-                             "points");
-  command->add_option("file", options->file, "A mesh file, or points")->required();
-  add_common_flags(*command, options->common, "Also write the report as JSON to this file");
-  command->callback([options, &code] { code = check(*options); });
+Command check_command() {
+  const auto options = std::make_shared<CheckOptions>();
+  Command command{.name = "check",
+                  .help =
+                      "Euler's account, validity, Delaunay property, quality and "
+                      "fingerprint of a mesh of the plane or of space, or an account of "
+                      "points",
+                  .options = {{"file", "A mesh file, or points", &options->file, true}},
+                  .run = [options] { return check(*options); }};
+  add_common_options(command, options->common, "Also write the report as JSON to this file");
+  return command;
 }
 
 }  // namespace leonhard::app

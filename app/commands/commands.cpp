@@ -1,33 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/commands/commands.hpp"
 
-#include <CLI/CLI.hpp>
-
 namespace leonhard::app {
 
-void add_common_flags(CLI::App& command, CommonOptions& options, const std::string& output_help) {
-  command.add_option("-o,--output", options.output, output_help);
-  command.add_option("--threads", options.threads, "Threads to use; 0 takes all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command.add_option("--seed", options.seed, "Seed of everything that draws random numbers")
-      ->capture_default_str();
-  command.add_flag("--quiet", options.quiet, "No progress on stderr");
-  command.add_flag("--json", options.json, "One machine-readable report on stdout");
+void add_common_options(Command& command, CommonOptions& options, const std::string& output_help,
+                        OutputFile output) {
+  const std::vector<Option> common{
+      {"-o,--output", output_help, &options.output, output == OutputFile::required},
+      {.names = "--threads",
+       .help = "Threads to use; 0 takes all cores",
+       .target = &options.threads,
+       .shows_default = true,
+       .range = OptionRange{0, 1024}},
+      {.names = "--seed",
+       .help = "Seed of everything that draws random numbers",
+       .target = &options.seed,
+       .shows_default = true},
+      {"--quiet", "No progress on stderr", &options.quiet},
+      {"--json", "One machine-readable report on stdout", &options.json}};
+  command.options.insert(command.options.end(), common.begin(), common.end());
 }
 
-void add_commands(CLI::App& program, ExitCode& code) {
-  add_solve(program, code);
-  add_mesh(program, code);
-  add_triangulate(program, code);
-  add_tetrahedralize(program, code);
-  add_voronoi(program, code);
-  add_order(program, code);
-  add_check(program, code);
-  add_draw(program, code);
-  add_partition(program, code);
-  add_communicate(program, code);
-  add_convert(program, code);
+std::vector<Command> all_commands() {
+  return {solve_command(),     mesh_command(),        triangulate_command(), tetrahedralize_command(),
+          voronoi_command(),   order_command(),       check_command(),       draw_command(),
+          partition_command(), communicate_command(), convert_command()};
 }
 
 }  // namespace leonhard::app

@@ -3,12 +3,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
-#include "leonhard/app/exit_code.hpp"
-
-namespace CLI {
-class App;
-}
+#include "leonhard/app/command_line/command.hpp"
 
 namespace leonhard::app {
 
@@ -21,22 +18,27 @@ struct CommonOptions {
   std::string output;  ///< -o; its meaning is the subcommand's
 };
 
-/// Adds --threads --seed --quiet --json to a subcommand, and -o with the given description.
-void add_common_flags(CLI::App& command, CommonOptions& options, const std::string& output_help);
+enum class OutputFile { optional, required };
 
-/// Adds every subcommand; the one that is parsed runs and leaves its outcome in code.
-void add_commands(CLI::App& program, ExitCode& code);
+/// Adds -o with the given description and --threads --seed --quiet --json to a subcommand.
+///
+/// options  is kept alive by the command's run
+void add_common_options(Command& command, CommonOptions& options, const std::string& output_help,
+                        OutputFile output = OutputFile::optional);
 
-void add_solve(CLI::App& program, ExitCode& code);
-void add_mesh(CLI::App& program, ExitCode& code);
-void add_triangulate(CLI::App& program, ExitCode& code);
-void add_tetrahedralize(CLI::App& program, ExitCode& code);
-void add_voronoi(CLI::App& program, ExitCode& code);
-void add_order(CLI::App& program, ExitCode& code);
-void add_check(CLI::App& program, ExitCode& code);
-void add_draw(CLI::App& program, ExitCode& code);
-void add_partition(CLI::App& program, ExitCode& code);
-void add_communicate(CLI::App& program, ExitCode& code);
-void add_convert(CLI::App& program, ExitCode& code);
+/// Every subcommand, in the order of the help.
+[[nodiscard]] std::vector<Command> all_commands();
+
+[[nodiscard]] Command solve_command();
+[[nodiscard]] Command mesh_command();
+[[nodiscard]] Command triangulate_command();
+[[nodiscard]] Command tetrahedralize_command();
+[[nodiscard]] Command voronoi_command();
+[[nodiscard]] Command order_command();
+[[nodiscard]] Command check_command();
+[[nodiscard]] Command draw_command();
+[[nodiscard]] Command partition_command();
+[[nodiscard]] Command communicate_command();
+[[nodiscard]] Command convert_command();
 
 }  // namespace leonhard::app

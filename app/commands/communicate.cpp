@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -19,6 +18,7 @@
 #include "leonhard/app/report/communication_report.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/partition_report.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 
@@ -116,7 +116,7 @@ std::string text_of(const CommunicateCommand& command, const AnyGraph& input, co
   text +=
       fmt::format("{:<12}{} {}; {} cut edges, imbalance {:.4f}\n", "parts", grouped(answer.partition.parts),
                   command.parts_file.empty()
-                      ? fmt::format("by {}: {}", command.request.method, word(answer.partition.outcome))
+                      ? fmt::format("by {}: {}", command.request.method, to_string(answer.partition.outcome))
                       : "from " + command.parts_file,
                   grouped(cost.cut), cost.imbalance);
   text += parts_text(cost, answer.communication, of);
@@ -155,7 +155,7 @@ ExitCode communicate(const CommunicateCommand& command) {
   Json report = report_of(command, input, answer);
   report["seconds"] = timer.seconds();
   report["peak_memory_bytes"] = peak_memory_bytes();
-  const std::string json = report.dump(2) + "\n";
+  const std::string json = report.text() + "\n";
   if (!command.common.output.empty()) io::write_file_atomically(command.common.output, json);
   fmt::print("{}", command.common.json ? json : text_of(command, input, answer));
   return exit_code_of(answer, signals.token().stop_requested());
@@ -163,36 +163,41 @@ ExitCode communicate(const CommunicateCommand& command) {
 
 }  // namespace
 
-void add_communicate(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<CommunicateCommand>();
-  CLI::App* command = program.add_subcommand(
-      "communicate",
-      "What the parts of a mesh or graph send one another, in which sequence, and at what cost");
-  command
-      ->add_option("input", options->input,
-                   "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)")
-      ->required();
-  add_partition_options(*command, options->request);
-  command->add_option("--parts-file", options->parts_file, "The parts, one a line, in place of making them")
-      ->excludes("--parts");
-  command->add_option("--alpha", options->cost.message.alpha, "Seconds to begin a message")
-      ->capture_default_str();
-  command->add_option("--beta", options->cost.message.beta, "Seconds a value of a message")
-      ->capture_default_str();
-  command
-      ->add_option("--what-if", options->what_if,
-                   "Numbers of parts to reckon with as well, such as 16,64,1024: a table, nothing is run")
-      ->delimiter(',');
-  command->add_option("--work", options->cost.work,
-                      "Seconds to compute at one vertex, for speed-up and efficiency in that table");
-  command->add_option("--picture", options->picture,
-                      "Draw the parts and the communication graph, its edges coloured by cycles");
-  command->add_option("--vertex-colours", options->vertex_colours,
-                      "Write colours of vertices for threaded loops, one a line (.txt)");
-  command->add_option("--edge-colours", options->edge_colours,
-                      "Write colours of edges for threaded loops: both ends and the colour a line (.txt)");
-  add_common_flags(*command, options->common, "Also write the report as JSON to this file");
-  command->callback([options, &code] { code = communicate(*options); });
+Command communicate_command() {
+  const auto options = std::make_shared<CommunicateCommand>();
+  Command command{
+      .name = "communicate",
+      .help = "What the parts of a mesh or graph send one another, in which sequence, and at what cost",
+      .options = {{"input", "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)",
+                   &options->input, true}},
+      .run = [options] { return communicate(*options); }};
+  add_partition_options(command, options->request);
+  const std::vector<Option> own{
+      {.names = "--parts-file",
+       .help = "The parts, one a line, in place of making them",
+       .target = &options->parts_file,
+       .excludes = "--parts"},
+      {.names = "--alpha",
+       .help = "Seconds to begin a message",
+       .target = &options->cost.message.alpha,
+       .shows_default = true},
+      {.names = "--beta",
+       .help = "Seconds a value of a message",
+       .target = &options->cost.message.beta,
+       .shows_default = true},
+      {"--what-if", "Numbers of parts to reckon with as well, such as 16,64,1024: a table, nothing is run",
+       &options->what_if},
+      {"--work", "Seconds to compute at one vertex, for speed-up and efficiency in that table",
+       &options->cost.work},
+      {"--picture", "Draw the parts and the communication graph, its edges coloured by cycles",
+       &options->picture},
+      {"--vertex-colours", "Write colours of vertices for threaded loops, one a line (.txt)",
+       &options->vertex_colours},
+      {"--edge-colours", "Write colours of edges for threaded loops: both ends and the colour a line (.txt)",
+       &options->edge_colours}};
+  command.options.insert(command.options.end(), own.begin(), own.end());
+  add_common_options(command, options->common, "Also write the report as JSON to this file");
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/file_dimension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
@@ -48,21 +48,35 @@ void check_output(const ConvertOptions& options, int dimension) {
                    "use one of " + known);
 }
 
+/// Leaves the fields out, with a warning, if the format of the output carries none.
+template <class File>
+void drop_fields_that_do_not_fit(File& file, const std::string& out) {
+  const std::size_t count = file.point_fields.size() + file.cell_fields.size();
+  if (count == 0 || io::carries_fields(out)) return;
+  file.warnings.push_back(fmt::format("{} {} left out: {} files carry none", count,
+                                      count == 1 ? "field was" : "fields were",
+                                      std::filesystem::path(out).extension().string()));
+  file.point_fields.clear();
+  file.cell_fields.clear();
+}
+
 Converted convert_triangles(const ConvertOptions& options) {
   MeshFile file = io::read_mesh(options.in);
-  io::write_mesh(options.out, file.mesh);
-  return {{{"vertices", file.mesh.vertex_count()},
-           {"triangles", file.mesh.triangle_count()},
-           {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
+  drop_fields_that_do_not_fit(file, options.out);
+  io::write_mesh(options.out, file.mesh, file.point_fields, file.cell_fields);
+  return {Json{{"vertices", file.mesh.vertex_count()},
+               {"triangles", file.mesh.triangle_count()},
+               {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
           std::move(file.warnings)};
 }
 
 Converted convert_tetrahedra(const ConvertOptions& options) {
   TetMeshFile file = io::read_tet_mesh(options.in);
-  io::write_tet_mesh(options.out, file.mesh);
-  return {{{"vertices", file.mesh.vertex_count()},
-           {"tetrahedra", file.mesh.tet_count()},
-           {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
+  drop_fields_that_do_not_fit(file, options.out);
+  io::write_tet_mesh(options.out, file.mesh, file.point_fields, file.cell_fields);
+  return {Json{{"vertices", file.mesh.vertex_count()},
+               {"tetrahedra", file.mesh.tet_count()},
+               {"fingerprint", mesh::fingerprint(file.mesh).hex()}},
           std::move(file.warnings)};
 }
 
@@ -73,26 +87,26 @@ ExitCode convert(const ConvertOptions& options) {
   Console console(options.common.quiet);
   for (const std::string& warning : converted.warnings) console.warning(warning);
   if (options.common.json) {
-    Json report = {{"in", options.in}, {"out", options.out}};
+    Json report{{"in", options.in}, {"out", options.out}};
     report.update(converted.counts);
     report["warnings"] = converted.warnings;
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report.text());
   }
   return ExitCode::done;
 }
 
 }  // namespace
 
-void add_convert(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = program.add_subcommand(
-      "convert",
-      "Read a mesh of the plane or of space in one format, write it in another; both by extension");
-  command->add_option("in", options->in, "Mesh to read")->required();
-  command->add_option("out", options->out, "Mesh to write")->required();
-  command->add_flag("--quiet", options->common.quiet, "No warnings about the file's oddities");
-  command->add_flag("--json", options->common.json, "One machine-readable report on stdout");
-  command->callback([options, &code] { code = convert(*options); });
+Command convert_command() {
+  const auto options = std::make_shared<ConvertOptions>();
+  return {
+      .name = "convert",
+      .help = "Read a mesh of the plane or of space in one format, write it in another; both by extension",
+      .options = {{"in", "Mesh to read", &options->in, true},
+                  {"out", "Mesh to write", &options->out, true},
+                  {"--quiet", "No warnings about the file's oddities", &options->common.quiet},
+                  {"--json", "One machine-readable report on stdout", &options->common.json}},
+      .run = [options] { return convert(*options); }};
 }
 
 }  // namespace leonhard::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -121,51 +120,56 @@ ExitCode draw_file(const DrawCommand& command) {
   Console console(command.common.quiet);
   for (const std::string& warning : warnings) console.warning(warning);
   if (command.common.json)
-    fmt::print("{}\n", Json{{"picture", command.common.output}, {"warnings", warnings}}.dump(2));
+    fmt::print("{}\n", Json{{"picture", command.common.output}, {"warnings", warnings}}.text());
   return ExitCode::done;
 }
 
 }  // namespace
 
-void add_draw(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<DrawCommand>();
-  CLI::App* command =
-      program.add_subcommand("draw", "A picture of a mesh, its quality, a field, a partition or its matrix");
-  command->add_option("mesh", options->mesh, "A mesh file")->required();
-  command
-      ->add_option("--what", options->what,
-                   "What to draw; markers of meshes of space, matrix of those of the plane")
-      ->check(CLI::IsMember({"mesh", "quality", "regions", "markers", "partition", "matrix"}))
-      ->capture_default_str();
-  command->add_option("--field", options->field, "A point field of a .vtu file, e.g. mach");
-  command->add_option("--parts", options->parts, "Parts of the partition")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--view", options->view,
-          "Plane: xmin,ymin,xmax,ymax, the whole mesh otherwise. Space: azimuth,elevation of the viewer in "
-          "degrees, otherwise -60,25")
-      ->delimiter(',')
-      ->expected(2, 4);
-  command->add_option(
-      "--cut", options->cut,
-      "Space: what is cut away: none; x, y or z, through the middle; x=0.5, the side to the viewer; x<0.5; "
-      "or nx,ny,nz,d, where nx x + ny y + nz z > d. Otherwise the half towards the viewer");
-  command->add_flag("--section", options->section,
-                    "Space: cut along the plane, through tetrahedra, in place of leaving them whole");
-  command
-      ->add_option("--perspective", options->perspective_deg,
-                   "Space: field of view in degrees, 20 being mild; 0: parallel lines stay parallel")
-      ->check(CLI::Range(0.0, 60.0))
-      ->capture_default_str();
-  command->add_option("--size", options->size, "Width,height in pixels")
-      ->delimiter(',')
-      ->capture_default_str();
-  command->add_option("--title", options->title, "Title of the picture");
-  add_common_flags(*command, options->common, "The picture: .png, .svg or .pdf");
-  command->get_option("--output")->required();
-  command->callback([options, &code] { code = draw_file(*options); });
+Command draw_command() {
+  const auto options = std::make_shared<DrawCommand>();
+  Command command{
+      .name = "draw",
+      .help = "A picture of a mesh, its quality, a field, a partition or its matrix",
+      .options = {{"mesh", "A mesh file", &options->mesh, true},
+                  {.names = "--what",
+                   .help = "What to draw; markers of meshes of space, matrix of those of the plane",
+                   .target = &options->what,
+                   .shows_default = true,
+                   .choices = {"mesh", "quality", "regions", "markers", "partition", "matrix"}},
+                  {"--field", "A point field of a .vtu file, e.g. mach", &options->field},
+                  {.names = "--parts",
+                   .help = "Parts of the partition",
+                   .target = &options->parts,
+                   .shows_default = true,
+                   .range = OptionRange{1, 100000}},
+                  {.names = "--view",
+                   .help = "Plane: xmin,ymin,xmax,ymax, the whole mesh otherwise. Space: azimuth,elevation "
+                           "of the viewer in "
+                           "degrees, otherwise -60,25",
+                   .target = &options->view,
+                   .length = OptionLength{2, 4}},
+                  {"--cut",
+                   "Space: what is cut away: none; x, y or z, through the middle; x=0.5, the side to the "
+                   "viewer; x<0.5; "
+                   "or nx,ny,nz,d, where nx x + ny y + nz z > d. Otherwise the half towards the viewer",
+                   &options->cut},
+                  {"--section",
+                   "Space: cut along the plane, through tetrahedra, in place of leaving them whole",
+                   &options->section},
+                  {.names = "--perspective",
+                   .help = "Space: field of view in degrees, 20 being mild; 0: parallel lines stay parallel",
+                   .target = &options->perspective_deg,
+                   .shows_default = true,
+                   .range = OptionRange{0, 60}},
+                  {.names = "--size",
+                   .help = "Width,height in pixels",
+                   .target = &options->size,
+                   .shows_default = true},
+                  {"--title", "Title of the picture", &options->title}},
+      .run = [options] { return draw_file(*options); }};
+  add_common_options(command, options->common, "The picture: .png, .svg or .pdf", OutputFile::required);
+  return command;
 }
 
 }  // namespace leonhard::app

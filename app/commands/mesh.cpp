@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -9,7 +8,9 @@
 #include "leonhard/app/case/case.hpp"
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/report/mesh_json.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/solve/mesh_domain.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 
@@ -53,15 +54,16 @@ ExitCode mesh(const MeshOptions& options) {
   for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) console.warning(warning);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   io::write_mesh(options.common.output, meshed.mesh);
-  Json report = mesh_report(meshed.mesh);
-  report["refinement"] = to_json(meshed.report);
-  report["seconds"] = {{"mesh", seconds}};
-  report["peak_memory_bytes"] = peak_memory_bytes();
+  const MeshReport report = mesh_report(meshed.mesh);
   if (options.common.json) {
-    fmt::print("{}\n", report.dump(2));
+    Json json = to_json(report);
+    json["refinement"] = to_json(meshed.report);
+    json["seconds"] = Json{{"mesh", seconds}};
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    fmt::print("{}\n", json.text());
   } else {
-    fmt::print("{}{:<14}{}, {} points inserted\n", mesh_report_text(report), "refinement",
-               report["refinement"]["outcome"].get<std::string>(), grouped(meshed.report.inserted));
+    fmt::print("{}{:<14}{}, {} points inserted\n", text_of(report), "refinement", to_string(meshed.report.outcome),
+               grouped(meshed.report.inserted));
   }
   switch (meshed.report.outcome) {
     case delaunay::RefineOutcome::achieved:
@@ -77,34 +79,49 @@ ExitCode mesh(const MeshOptions& options) {
 
 }  // namespace
 
-void add_mesh(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<MeshOptions>();
+Command mesh_command() {
+  const auto options = std::make_shared<MeshOptions>();
   options->common.output = "mesh.su2";
-  CLI::App* command =
-      program.add_subcommand("mesh", "A quality mesh of a planar straight-line graph or about an airfoil");
-  command->add_option("geometry", options->geometry, "PSLG (.poly) or airfoil coordinates (.dat)")
-      ->required();
-  command->add_option("--min-angle", options->mesher.min_angle_deg, "No angle below this, degrees")
-      ->check(CLI::Range(0.0, 34.0))
-      ->capture_default_str();
-  command->add_option("--size", options->size, "Largest edge length")->check(CLI::PositiveNumber);
-  command->add_option("--max-area", options->max_area, "Largest triangle")->check(CLI::PositiveNumber);
-  command->add_option("--max-vertices", options->mesher.max_vertices, "Stop at this many vertices")
-      ->capture_default_str();
-  command
-      ->add_option("--growth", options->mesher.growth,
-                   "Airfoils: growth of the edge length per unit of distance")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
-  command->add_option("--spacing", options->body.spacing, "Airfoils: edge length on the body, chords")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--distance", options->farfield.distance, "Airfoils: radius of the far field, chords")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  add_common_flags(*command, options->common,
-                   "The mesh file; its extension is its format (default mesh.su2)");
-  command->callback([options, &code] { code = mesh(*options); });
+  Command command{
+      .name = "mesh",
+      .help = "A quality mesh of a planar straight-line graph or about an airfoil",
+      .options = {{"geometry", "PSLG (.poly) or airfoil coordinates (.dat)", &options->geometry, true},
+                  {.names = "--min-angle",
+                   .help = "No angle below this, degrees",
+                   .target = &options->mesher.min_angle_deg,
+                   .shows_default = true,
+                   .range = OptionRange{0, 34}},
+                  {.names = "--size",
+                   .help = "Largest edge length",
+                   .target = &options->size,
+                   .rule = OptionRule::positive},
+                  {.names = "--max-area",
+                   .help = "Largest triangle",
+                   .target = &options->max_area,
+                   .rule = OptionRule::positive},
+                  {.names = "--max-vertices",
+                   .help = "Stop at this many vertices",
+                   .target = &options->mesher.max_vertices,
+                   .shows_default = true},
+                  {.names = "--growth",
+                   .help = "Airfoils: growth of the edge length per unit of distance",
+                   .target = &options->mesher.growth,
+                   .shows_default = true,
+                   .range = OptionRange{0, 10}},
+                  {.names = "--spacing",
+                   .help = "Airfoils: edge length on the body, chords",
+                   .target = &options->body.spacing,
+                   .shows_default = true,
+                   .rule = OptionRule::positive},
+                  {.names = "--distance",
+                   .help = "Airfoils: radius of the far field, chords",
+                   .target = &options->farfield.distance,
+                   .shows_default = true,
+                   .rule = OptionRule::positive}},
+      .run = [options] { return mesh(*options); }};
+  add_common_options(command, options->common,
+                     "The mesh file; its extension is its format (default mesh.su2)");
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/graph/order.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -15,6 +14,7 @@
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/graph/fill.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
@@ -23,7 +23,6 @@
 #include "leonhard/mesh/io/number_text.hpp"
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
 #include "leonhard/mesh/permute.hpp"
-#include "leonhard/mesh/tet_permute.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -105,7 +104,7 @@ Json table_json(const std::vector<Ordered>& table) {
                     {"nonzeros", line.fill.nonzeros},
                     {"flops", line.fill.flops},
                     {"seconds", line.seconds},
-                    {"outcome", line.result.outcome == graph::OrderOutcome::done ? "done" : "stopped"}});
+                    {"outcome", to_string(line.result.outcome)}});
   return list;
 }
 
@@ -207,7 +206,7 @@ ExitCode order_file(const OrderCommand& command) {
     report["warnings"] = input.warnings;
     report["seconds"] = timer.seconds();
     report["peak_memory_bytes"] = peak_memory_bytes();
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report.text());
   } else {
     print_table(table);
   }
@@ -224,27 +223,33 @@ std::vector<std::string> method_names() {
 
 }  // namespace
 
-void add_order(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<OrderCommand>();
-  CLI::App* command = program.add_subcommand(
-      "order", "Number a mesh's or graph's vertices for a small bandwidth, envelope or fill");
-  command
-      ->add_option("input", options->input,
-                   "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)")
-      ->required();
-  std::vector<std::string> names = method_names();
-  command->add_option("--start", options->start, "The order that rosen improves")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
-  names.emplace_back("all");
-  command->add_option("--method", options->method, "How; all compares them")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
-  command->add_flag("--cells", options->cells, "Order the cells of a mesh, by its dual graph");
-  command->add_option("--picture", options->picture, "Draw the matrix's pattern as it is and as ordered");
-  add_common_flags(*command, options->common,
-                   "Write the renumbered mesh or .graph, or the order as .txt (old numbers in new sequence)");
-  command->callback([options, &code] { code = order_file(*options); });
+Command order_command() {
+  const auto options = std::make_shared<OrderCommand>();
+  const std::vector<std::string> methods = method_names();
+  std::vector<std::string> methods_and_all = methods;
+  methods_and_all.emplace_back("all");
+  Command command{
+      .name = "order",
+      .help = "Number a mesh's or graph's vertices for a small bandwidth, envelope or fill",
+      .options = {{"input", "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)",
+                   &options->input, true},
+                  {.names = "--start",
+                   .help = "The order that rosen improves",
+                   .target = &options->start,
+                   .shows_default = true,
+                   .choices = methods},
+                  {.names = "--method",
+                   .help = "How; all compares them",
+                   .target = &options->method,
+                   .shows_default = true,
+                   .choices = methods_and_all},
+                  {"--cells", "Order the cells of a mesh, by its dual graph", &options->cells},
+                  {"--picture", "Draw the matrix's pattern as it is and as ordered", &options->picture}},
+      .run = [options] { return order_file(*options); }};
+  add_common_options(
+      command, options->common,
+      "Write the renumbered mesh or .graph, or the order as .txt (old numbers in new sequence)");
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/graph/partition.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "leonhard/app/graphs/read_any_graph.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/partition_report.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -39,7 +39,7 @@ Json report_of(const PartitionCommand& command, const AnyGraph& input, const gra
               {"edges", graph::edge_count(input.graph)},
               {"seed", command.common.seed}};
   report.update(partition_report(partition, cost, command.request));
-  report["output"] = command.common.output.empty() ? Json(nullptr) : Json(command.common.output);
+  report["output"] = command.common.output.empty() ? Json() : Json(command.common.output);
   report["warnings"] = input.warnings;
   return report;
 }
@@ -64,38 +64,46 @@ ExitCode partition_file(const PartitionCommand& command) {
   const graph::Partition partition = part(command.request.parts);
   timer.lap("partition");
   for (const std::string& warning : input.warnings) console.warning(warning);
-  Json report = report_of(command, input, partition, part.cost_of(partition));
+  const graph::PartitionCost cost = part.cost_of(partition);
   if (!output.path.empty())
     write_partition(output, input, which, partition,
                     fmt::format("{} parts, {}", partition.parts, command.request.method));
   timer.lap("write");
-  report["seconds"] = timer.seconds();
-  report["peak_memory_bytes"] = peak_memory_bytes();
-  fmt::print("{}", command.common.json ? report.dump(2) + "\n" : partition_report_text(report));
+  if (command.common.json) {
+    Json report = report_of(command, input, partition, cost);
+    report["seconds"] = timer.seconds();
+    report["peak_memory_bytes"] = peak_memory_bytes();
+    fmt::print("{}\n", report.text());
+  } else {
+    const std::string_view of = vertices_are(input, which);
+    fmt::print("{}{}", graph_text(graph::vertex_count(input.graph), graph::edge_count(input.graph), of),
+               partition_report_text(partition, cost, command.request, of));
+  }
   return exit_code_of(partition.outcome);
 }
 
 }  // namespace
 
-void add_partition(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<PartitionCommand>();
-  CLI::App* command = program.add_subcommand("partition", "Parts of equal size with few edges between them");
-  command
-      ->add_option("input", options->input,
-                   "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)")
-      ->required();
-  add_partition_options(*command, options->request);
-  command
-      ->add_option(
-          "--view", options->output.view,
-          "Of a picture of the plane: xmin,ymin,xmax,ymax; of space: azimuth,elevation of the viewer")
-      ->delimiter(',')
-      ->expected(2, 4);
-  command->add_option("--cut", options->output.cut,
-                      "Of a picture of tetrahedra: what is cut away, in the words of leonhard draw");
-  add_common_flags(*command, options->common,
-                   "One part a line (.txt), the mesh with its parts (.vtu), or a picture (.png .svg .pdf)");
-  command->callback([options, &code] { code = partition_file(*options); });
+Command partition_command() {
+  const auto options = std::make_shared<PartitionCommand>();
+  Command command{
+      .name = "partition",
+      .help = "Parts of equal size with few edges between them",
+      .options = {{"input", "A mesh of the plane or of space, or a graph (.graph .mtx .edges .csv)",
+                   &options->input, true}},
+      .run = [options] { return partition_file(*options); }};
+  add_partition_options(command, options->request);
+  command.options.push_back(
+      {.names = "--view",
+       .help = "Of a picture of the plane: xmin,ymin,xmax,ymax; of space: azimuth,elevation of the viewer",
+       .target = &options->output.view,
+       .length = OptionLength{2, 4}});
+  command.options.push_back({"--cut",
+                             "Of a picture of tetrahedra: what is cut away, in the words of leonhard draw",
+                             &options->output.cut});
+  add_common_options(command, options->common,
+                     "One part a line (.txt), the mesh with its parts (.vtu), or a picture (.png .svg .pdf)");
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <thread>
 
@@ -36,7 +35,7 @@ void take(SolveRun& run, Console& console, const char* name, Step&& step) {
 void tell_the_end(const SolveRun& run, const std::filesystem::path& folder, const Json& report,
                   bool as_json) {
   if (as_json) {
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report.text());
     return;
   }
   fmt::print("{}\n", run.flow.words);
@@ -84,16 +83,17 @@ ExitCode solve(const SolveOptions& options) {
 
 }  // namespace
 
-void add_solve(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<SolveOptions>();
-  CLI::App* command = program.add_subcommand(
-      "solve", "From a case file to its flow: mesh, proof, order, partition, march, report");
-  command->add_option("case", options->case_file, "The case file (docs/case-file.md lists every key)")
-      ->required();
-  command->add_flag("--dry-run", options->dry_run,
-                    "Check the case and print every key with the value in force; do nothing");
-  add_common_flags(*command, options->common, "Folder of the results (default: output.folder of the case)");
-  command->callback([options, &code] { code = solve(*options); });
+Command solve_command() {
+  const auto options = std::make_shared<SolveOptions>();
+  Command command{
+      .name = "solve",
+      .help = "From a case file to its flow: mesh, proof, order, partition, march, report",
+      .options = {{"case", "The case file (docs/case-file.md lists every key)", &options->case_file, true},
+                  {"--dry-run", "Check the case and print every key with the value in force; do nothing",
+                   &options->dry_run}},
+      .run = [options] { return solve(*options); }};
+  add_common_options(command, options->common, "Folder of the results (default: output.folder of the case)");
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/tetrahedralize.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/report/points3_report.hpp"
 #include "leonhard/app/report/tet_report.hpp"
 #include "leonhard/mesh/draw/tet_picture.hpp"
@@ -97,28 +100,58 @@ void write(const TetrahedralizeCommand& command, const std::string& extension, c
   }
 }
 
-std::string text_of(const Json& r) {
+/// What there is to say, of which the mesh's part is missing where there is no mesh.
+struct Answer {
+  delaunay::TetrahedralizeOutcome outcome{};
+  Points3Account account;
+  std::size_t expected_bytes{};
+  std::string words;              ///< why there is no mesh
+  std::optional<TetReport> mesh;  ///< without the check: vertices and tetrahedra alone
+  Fingerprint fingerprint;        ///< of the mesh
+  std::size_t hull_faces{};
+};
+
+std::string text_of(const TetrahedralizeCommand& command, const Answer& answer) {
   std::string text;
   const auto line = [&text](std::string_view name, const std::string& value) {
     fmt::format_to(std::back_inserter(text), "{:<14}{}\n", name, value);
   };
-  const auto count = [&r](const char* key) { return grouped(r[key].get<std::uint64_t>()); };
-  line("points", count("points") + ", " + count("duplicates") + " duplicates merged");
-  line("outcome", r["outcome"].get<std::string>());
-  if (!r.contains("tetrahedra")) return text;
-  line("hull faces", count("hull_faces"));
-  if (r.contains("euler")) return text + tet_mesh_report_text(r);
-  line("vertices", count("vertices"));
-  line("tetrahedra", count("tetrahedra"));
-  line("fingerprint", r["fingerprint"].get<std::string>());
+  line("points",
+       grouped(answer.account.points) + ", " + grouped(answer.account.duplicates) + " duplicates merged");
+  line("outcome", std::string(to_string(answer.outcome)));
+  if (!answer.mesh) return text;
+  line("hull faces", grouped(answer.hull_faces));
+  if (!command.no_check) return text + text_of(*answer.mesh);
+  line("vertices", grouped(answer.mesh->vertices));
+  line("tetrahedra", grouped(answer.mesh->tetrahedra));
+  line("fingerprint", answer.fingerprint.hex());
   return text;
 }
 
-Json mesh_json(const TetrahedralizeCommand& command, const TetMesh& mesh) {
+Json json_of(const TetrahedralizeCommand& command, const Answer& answer) {
+  Json json{{"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(answer.outcome)}};
+  json.update(to_json(answer.account));
+  json["expected_memory_bytes"] = answer.expected_bytes;
+  json["words"] = answer.words.empty() ? Json() : Json(answer.words);
+  if (!answer.mesh) return json;
+  json["hull_faces"] = answer.hull_faces;
+  if (command.no_check)
+    json.update(Json{{"vertices", answer.mesh->vertices},
+                     {"tetrahedra", answer.mesh->tetrahedra},
+                     {"fingerprint", answer.fingerprint.hex()}});
+  else
+    json.update(to_json(*answer.mesh));
+  json["output"] = command.common.output;
+  return json;
+}
+
+/// The account of a mesh, or without the check its size.
+TetReport report_of(const TetrahedralizeCommand& command, const TetMesh& mesh) {
   if (!command.no_check) return tet_mesh_report(mesh);
-  return {{"vertices", mesh.vertex_count()},
-          {"tetrahedra", mesh.tet_count()},
-          {"fingerprint", mesh::fingerprint(mesh).hex()}};
+  TetReport size;
+  size.vertices = mesh.vertex_count();
+  size.tetrahedra = mesh.tet_count();
+  return size;
 }
 
 ExitCode exit_code_of(delaunay::TetrahedralizeOutcome outcome) {
@@ -141,10 +174,11 @@ ExitCode tetrahedralize(const TetrahedralizeCommand& command) {
   timer.lap("read");
 
   const std::vector<Point3>& points = input.set.points;
-  const std::size_t expected = delaunay::expected_bytes(points.size());
+  Answer answer;
+  answer.expected_bytes = delaunay::expected_bytes(points.size());
   if (!command.common.quiet) {
     fmt::print(stderr, "leonhard: {} points, about {} of memory expected\n", grouped(points.size()),
-               bytes_in_words(expected));
+               bytes_in_words(answer.expected_bytes));
   }
   auto result = delaunay::tetrahedralize(points, options_of(command, console, signals));
   timer.lap("tetrahedralize");
@@ -154,27 +188,29 @@ ExitCode tetrahedralize(const TetrahedralizeCommand& command) {
 
   const bool done = result.outcome == delaunay::TetrahedralizeOutcome::done;
   const std::size_t distinct = done ? result.mesh.vertex_count() : count_distinct(points);
-  Json report = {
-      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
-  report.update(points3_account(points, distinct));
-  report["expected_memory_bytes"] = expected;
-  std::string words = why_no_tetrahedra(result.outcome, distinct);
-  if (!words.empty()) words = command.input + ": " + words;
-  report["words"] = words.empty() ? Json(nullptr) : Json(words);
+  answer.outcome = result.outcome;
+  answer.account = points3_account(points, distinct);
+  answer.words = why_no_tetrahedra(result.outcome, distinct);
+  if (!answer.words.empty()) answer.words = command.input + ": " + answer.words;
   if (done) {
     carry_markers(input.set, result);
-    report["hull_faces"] = result.mesh.boundary.size();
-    report.update(mesh_json(command, result.mesh));
+    answer.hull_faces = result.mesh.boundary.size();
+    answer.mesh = report_of(command, result.mesh);
+    if (command.no_check) answer.fingerprint = mesh::fingerprint(result.mesh);
     timer.lap("check");
     write(command, extension, result.mesh);
     timer.lap("write");
-    report["output"] = command.common.output;
   }
-  report["warnings"] = input.warnings;
-  report["seconds"] = timer.seconds();
-  report["peak_memory_bytes"] = peak_memory_bytes();
-  fmt::print("{}", command.common.json ? report.dump(2) + "\n" : text_of(report));
-  if (!words.empty()) fmt::print(stderr, "leonhard: {}\n", words);
+  if (command.common.json) {
+    Json json = json_of(command, answer);
+    json["warnings"] = input.warnings;
+    json["seconds"] = timer.seconds();
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    fmt::print("{}\n", json.text());
+  } else {
+    fmt::print("{}", text_of(command, answer));
+  }
+  if (!answer.words.empty()) fmt::print(stderr, "leonhard: {}\n", answer.words);
   return exit_code_of(result.outcome);
 }
 
@@ -187,34 +223,36 @@ std::vector<std::string> algorithm_names() {
 
 }  // namespace
 
-void add_tetrahedralize(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<TetrahedralizeCommand>();
+Command tetrahedralize_command() {
+  const auto options = std::make_shared<TetrahedralizeCommand>();
   options->common.output = "mesh.vtu";
-  CLI::App* command = program.add_subcommand(
-      "tetrahedralize", "The Delaunay tetrahedralisation of points of space, filling their convex hull");
-  command
-      ->add_option("points", options->input,
+  Command command{
+      .name = "tetrahedralize",
+      .help = "The Delaunay tetrahedralisation of points of space, filling their convex hull",
+      .options = {{"points",
                    "Points (.node .xyz .csv .txt), or a surface (.off .obj .stl .ply .mesh .msh .poly "
                    ".smesh), of which "
-                   "the vertices are taken")
-      ->required();
-  command
-      ->add_option("--algorithm", options->algorithm,
-                   "The way to the tetrahedralisation, which is the same for all")
-      ->check(CLI::IsMember(algorithm_names()))
-      ->capture_default_str();
-  command
-      ->add_option("--memory-limit", options->memory_limit,
-                   "Refuse, before any work, points that need more; bytes, or as 4GB; 0: no limit")
-      ->transform(CLI::AsSizeValue(false))
-      ->capture_default_str();
-  command->add_flag("--no-check", options->no_check,
-                    "Leave out Euler's account, validity and quality, which take about as long as the mesh");
-  add_common_flags(
-      *command, options->common,
+                   "the vertices are taken",
+                   &options->input, true},
+                  {.names = "--algorithm",
+                   .help = "The way to the tetrahedralisation, which is the same for all",
+                   .target = &options->algorithm,
+                   .shows_default = true,
+                   .choices = algorithm_names()},
+                  {.names = "--memory-limit",
+                   .help = "Refuse, before any work, points that need more; bytes, or as 4GB; 0: no limit",
+                   .target = &options->memory_limit,
+                   .shows_default = true,
+                   .rule = OptionRule::bytes},
+                  {"--no-check",
+                   "Leave out Euler's account, validity and quality, which take about as long as the mesh",
+                   &options->no_check}},
+      .run = [options] { return tetrahedralize(*options); }};
+  add_common_options(
+      command, options->common,
       "The mesh (.vtu .su2 .msh .mesh .node .ele) or a picture of it, cut open (.png .svg .pdf); default "
       "mesh.vtu");
-  command->callback([options, &code] { code = tetrahedralize(*options); });
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/triangulate.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/points/read_any_points.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/report/points_report.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
@@ -59,16 +60,6 @@ delaunay::TriangulateOptions options_of(const TriangulateCommand& command, Conso
   return options;
 }
 
-void print(const Json& report, bool as_json, const std::string& words) {
-  if (as_json) {
-    fmt::print("{}\n", report.dump(2));
-  } else if (report.contains("vertices")) {
-    fmt::print("{:<14}{}, {} duplicates merged\n{}", "points", grouped(report["points"].get<std::uint64_t>()),
-               grouped(report["duplicates"].get<std::uint64_t>()), mesh_report_text(report));
-  }
-  if (!words.empty()) fmt::print(stderr, "leonhard: {}\n", words);
-}
-
 ExitCode exit_code_of(delaunay::TriangulateOutcome outcome) {
   switch (outcome) {
     case delaunay::TriangulateOutcome::done:
@@ -93,24 +84,33 @@ ExitCode triangulate(const TriangulateCommand& command) {
   input.warnings.insert(input.warnings.end(), result.repairs.begin(), result.repairs.end());
   for (const std::string& warning : input.warnings) console.warning(warning);
 
-  Json report = {
-      {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", word(result.outcome)}};
-  const Json account = points_account(input.pslg.points);
-  report.update(account);
-  const std::string words = why_no_triangles(
-      result.outcome, account["points"].get<std::size_t>() - account["duplicates"].get<std::size_t>());
-  report["words"] = words.empty() ? Json(nullptr) : Json(command.input + ": " + words);
+  const PointsAccount account = points_account(input.pslg.points);
+  std::string words = why_no_triangles(result.outcome, account.distinct());
+  if (!words.empty()) words = command.input + ": " + words;
+  std::optional<MeshReport> report;  // none where there is no mesh
   if (result.outcome == delaunay::TriangulateOutcome::done) {
-    report.update(mesh_report(result.mesh));
+    report = mesh_report(result.mesh);
     timer.lap("check");
     io::write_mesh(command.common.output, result.mesh);
     timer.lap("write");
-    report["output"] = command.common.output;
   }
-  report["warnings"] = input.warnings;
-  report["seconds"] = timer.seconds();
-  report["peak_memory_bytes"] = peak_memory_bytes();
-  print(report, command.common.json, words.empty() ? "" : command.input + ": " + words);
+  if (command.common.json) {
+    Json json{{"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
+    json.update(to_json(account));
+    json["words"] = words.empty() ? Json() : Json(words);
+    if (report) {
+      json.update(to_json(*report));
+      json["output"] = command.common.output;
+    }
+    json["warnings"] = input.warnings;
+    json["seconds"] = timer.seconds();
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    fmt::print("{}\n", json.text());
+  } else if (report) {
+    fmt::print("{:<14}{}, {} duplicates merged\n{}", "points", grouped(account.points),
+               grouped(account.duplicates), text_of(*report));
+  }
+  if (!words.empty()) fmt::print(stderr, "leonhard: {}\n", words);
   return exit_code_of(result.outcome);
 }
 
@@ -122,25 +122,26 @@ std::vector<std::string> algorithm_names() {
 
 }  // namespace
 
-void add_triangulate(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<TriangulateCommand>();
+Command triangulate_command() {
+  const auto options = std::make_shared<TriangulateCommand>();
   options->common.output = "mesh.su2";
-  CLI::App* command = program.add_subcommand(
-      "triangulate", "The Delaunay triangulation of points, constrained where there are segments");
-  command
-      ->add_option("points", options->input, "Points (.node .xy .csv .txt .json .geojson) or a PSLG (.poly)")
-      ->required();
-  command
-      ->add_option("--algorithm", options->algorithm,
-                   "The way to the triangulation, which is the same for all")
-      ->check(CLI::IsMember(algorithm_names()))
-      ->capture_default_str();
-  command->add_flag(
-      "--convex-hull", options->convex_hull,
-      "PSLG: keep the convex hull, carving holes only; otherwise all outside the segments goes");
-  add_common_flags(*command, options->common,
-                   "The mesh file; its extension is its format (default mesh.su2)");
-  command->callback([options, &code] { code = triangulate(*options); });
+  Command command{
+      .name = "triangulate",
+      .help = "The Delaunay triangulation of points, constrained where there are segments",
+      .options = {{"points", "Points (.node .xy .csv .txt .json .geojson) or a PSLG (.poly)", &options->input,
+                   true},
+                  {.names = "--algorithm",
+                   .help = "The way to the triangulation, which is the same for all",
+                   .target = &options->algorithm,
+                   .shows_default = true,
+                   .choices = algorithm_names()},
+                  {"--convex-hull",
+                   "PSLG: keep the convex hull, carving holes only; otherwise all outside the segments goes",
+                   &options->convex_hull}},
+      .run = [options] { return triangulate(*options); }};
+  add_common_options(command, options->common,
+                     "The mesh file; its extension is its format (default mesh.su2)");
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/voronoi.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include "leonhard/app/points/read_any_points.hpp"
 #include "leonhard/app/report/cells_file.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/delaunay/voronoi_clip.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/draw/diagram.hpp"
@@ -80,41 +80,61 @@ void write(const VoronoiCommand& command, const std::string& extension, const Vo
   draw::draw_diagram(path, picture_of(command, diagram, cells, window), {command.size[0], command.size[1]});
 }
 
-Json report_of(const VoronoiDiagram& diagram, const ClippedVoronoi& cells, const Window& window) {
-  const auto ids = diagram.sites.ids();
-  double sum = 0, largest = 0;
-  for (const double area : cells.area) sum += area, largest = std::max(largest, area);
-  const auto shown =
-      std::count_if(ids.begin(), ids.end(), [&](VertexId s) { return !cells.cell(s).empty(); });
-  const auto unbounded =
-      std::count_if(ids.begin(), ids.end(), [&](VertexId s) { return diagram.is_unbounded(s); });
-  return {{"points", diagram.site_of_input.size()},
-          {"sites", diagram.sites.size()},
-          {"duplicates", diagram.site_of_input.size() - diagram.sites.size()},
-          {"unbounded_cells", unbounded},
-          {"vertices", diagram.vertices.size()},
-          {"edges", diagram.edges.size()},
-          {"box", {{"low", {window[0].x, window[0].y}}, {"high", {window[2].x, window[2].y}}}},
-          {"cells_in_box", shown},
-          {"area_sum", sum},
-          {"box_area", (window[2].x - window[0].x) * (window[2].y - window[0].y)},
-          {"largest_area", largest}};
+struct VoronoiReport {
+  std::size_t points{}, sites{}, duplicates{}, unbounded{}, vertices{}, edges{};
+  Point2 low, high;  ///< of the box
+  std::size_t cells_in_box{};
+  double area_sum{}, box_area{}, largest_area{};
+};
+
+VoronoiReport report_of(const VoronoiDiagram& diagram, const ClippedVoronoi& cells, const Window& window) {
+  VoronoiReport report;
+  report.points = diagram.site_of_input.size();
+  report.sites = diagram.sites.size();
+  report.duplicates = report.points - report.sites;
+  report.vertices = diagram.vertices.size();
+  report.edges = diagram.edges.size();
+  report.low = window[0];
+  report.high = window[2];
+  report.box_area = (window[2].x - window[0].x) * (window[2].y - window[0].y);
+  for (const double area : cells.area) {
+    report.area_sum += area;
+    report.largest_area = std::max(report.largest_area, area);
+  }
+  for (const VertexId site : diagram.sites.ids()) {
+    if (!cells.cell(site).empty()) ++report.cells_in_box;
+    if (diagram.is_unbounded(site)) ++report.unbounded;
+  }
+  return report;
 }
 
-std::string text_of(const Json& r) {
+Json to_json(const VoronoiReport& report) {
+  const auto place = [](Point2 p) { return Json::array({p.x, p.y}); };
+  return {{"points", report.points},
+          {"sites", report.sites},
+          {"duplicates", report.duplicates},
+          {"unbounded_cells", report.unbounded},
+          {"vertices", report.vertices},
+          {"edges", report.edges},
+          {"box", Json{{"low", place(report.low)}, {"high", place(report.high)}}},
+          {"cells_in_box", report.cells_in_box},
+          {"area_sum", report.area_sum},
+          {"box_area", report.box_area},
+          {"largest_area", report.largest_area}};
+}
+
+std::string text_of(const VoronoiReport& report) {
   std::string text;
   const auto line = [&text](std::string_view name, const std::string& value) {
     fmt::format_to(std::back_inserter(text), "{:<17}{}\n", name, value);
   };
-  const auto count = [&r](const char* key) { return grouped(r[key].get<std::uint64_t>()); };
-  line("points", fmt::format("{}, {} duplicates merged", count("points"), count("duplicates")));
-  line("sites", count("sites"));
-  line("unbounded cells", count("unbounded_cells"));
-  line("vertices", count("vertices"));
-  line("edges", count("edges"));
-  line("cells in the box", count("cells_in_box"));
-  line("their areas", fmt::format("{:.15g} together, the box has {:.15g}", r["area_sum"].get<double>(),
-                                  r["box_area"].get<double>()));
+  line("points", fmt::format("{}, {} duplicates merged", grouped(report.points), grouped(report.duplicates)));
+  line("sites", grouped(report.sites));
+  line("unbounded cells", grouped(report.unbounded));
+  line("vertices", grouped(report.vertices));
+  line("edges", grouped(report.edges));
+  line("cells in the box", grouped(report.cells_in_box));
+  line("their areas", fmt::format("{:.15g} together, the box has {:.15g}", report.area_sum, report.box_area));
   return text;
 }
 
@@ -145,38 +165,49 @@ ExitCode voronoi(const VoronoiCommand& command) {
   write(command, extension, *diagram, cells, window);
   timer.lap("write");
 
-  Json report = report_of(*diagram, cells, window);
-  report["output"] = command.common.output;
-  report["warnings"] = file.warnings;
-  report["seconds"] = timer.seconds();
-  report["peak_memory_bytes"] = peak_memory_bytes();
-  fmt::print("{}", command.common.json ? report.dump(2) + "\n" : text_of(report));
+  const VoronoiReport report = report_of(*diagram, cells, window);
+  if (command.common.json) {
+    Json json = to_json(report);
+    json["output"] = command.common.output;
+    json["warnings"] = file.warnings;
+    json["seconds"] = timer.seconds();
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    fmt::print("{}\n", json.text());
+  } else {
+    fmt::print("{}", text_of(report));
+  }
   return ExitCode::done;
 }
 
 }  // namespace
 
-void add_voronoi(CLI::App& program, ExitCode& code) {
-  auto options = std::make_shared<VoronoiCommand>();
+Command voronoi_command() {
+  const auto options = std::make_shared<VoronoiCommand>();
   options->common.output = "voronoi.png";
-  CLI::App* command = program.add_subcommand(
-      "voronoi", "The Voronoi diagram of points, its cells clipped to a box, with areas");
-  command->add_option("points", options->points, "Points (.node .xy .csv .txt .json .geojson)")->required();
-  command->add_option("--box", options->box, "xmin,ymin,xmax,ymax; otherwise the points' box and a margin")
-      ->delimiter(',')
-      ->expected(4);
-  command->add_flag("--sites", options->sites, "Picture: show the sites");
-  command->add_option("--fill", options->fill, "Picture: colour of the cells")
-      ->check(CLI::IsMember({"none", "area"}))
-      ->capture_default_str();
-  command->add_option("--size", options->size, "Picture: width,height in pixels")
-      ->delimiter(',')
-      ->capture_default_str();
-  command->add_option("--title", options->title, "Title of the picture");
-  add_common_flags(
-      *command, options->common,
+  Command command{
+      .name = "voronoi",
+      .help = "The Voronoi diagram of points, its cells clipped to a box, with areas",
+      .options = {{"points", "Points (.node .xy .csv .txt .json .geojson)", &options->points, true},
+                  {.names = "--box",
+                   .help = "xmin,ymin,xmax,ymax; otherwise the points' box and a margin",
+                   .target = &options->box,
+                   .length = OptionLength{4, 4}},
+                  {"--sites", "Picture: show the sites", &options->sites},
+                  {.names = "--fill",
+                   .help = "Picture: colour of the cells",
+                   .target = &options->fill,
+                   .shows_default = true,
+                   .choices = {"none", "area"}},
+                  {.names = "--size",
+                   .help = "Picture: width,height in pixels",
+                   .target = &options->size,
+                   .shows_default = true},
+                  {"--title", "Title of the picture", &options->title}},
+      .run = [options] { return voronoi(*options); }};
+  add_common_options(
+      command, options->common,
       "A picture (.png .svg .pdf), or the clipped cells with areas (.vtu .json); default voronoi.png");
-  command->callback([options, &code] { code = voronoi(*options); });
+  return command;
 }
 
 }  // namespace leonhard::app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/graphs/partition_request.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -51,27 +50,35 @@ std::vector<std::uint32_t> as_weights(const std::vector<std::int64_t>& given, co
 
 }  // namespace
 
-void add_partition_options(CLI::App& command, PartitionRequest& request) {
-  command.add_option("-k,--parts", request.parts, "How many parts")
-      ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()))
-      ->capture_default_str();
-  command.add_option("--method", request.method, "How to find them")
-      ->check(CLI::IsMember(method_names()))
-      ->capture_default_str();
-  command.add_option("--effort", request.effort, "How long the multilevel method tries")
-      ->check(CLI::IsMember({"low", "normal", "high"}))
-      ->capture_default_str();
-  command
-      .add_option("--imbalance", request.imbalance,
-                  "How much heavier than the mean a part may be: 0.03 is 3 %")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command
-      .add_option("--of", request.of,
-                  "What of a mesh is parted: its triangles or tetrahedra, or its vertices")
-      ->check(CLI::IsMember({"cells", "vertices"}))
-      ->capture_default_str();
-  command.add_flag("--connected", request.connected, "Try to have every part in one piece");
+void add_partition_options(Command& command, PartitionRequest& request) {
+  const std::vector<Option> options{
+      {.names = "-k,--parts",
+       .help = "How many parts",
+       .target = &request.parts,
+       .shows_default = true,
+       .range = OptionRange{1, std::numeric_limits<std::uint32_t>::max()}},
+      {.names = "--method",
+       .help = "How to find them",
+       .target = &request.method,
+       .shows_default = true,
+       .choices = method_names()},
+      {.names = "--effort",
+       .help = "How long the multilevel method tries",
+       .target = &request.effort,
+       .shows_default = true,
+       .choices = {"low", "normal", "high"}},
+      {.names = "--imbalance",
+       .help = "How much heavier than the mean a part may be: 0.03 is 3 %",
+       .target = &request.imbalance,
+       .shows_default = true,
+       .rule = OptionRule::not_negative},
+      {.names = "--of",
+       .help = "What of a mesh is parted: its triangles or tetrahedra, or its vertices",
+       .target = &request.of,
+       .shows_default = true,
+       .choices = {"cells", "vertices"}},
+      {"--connected", "Try to have every part in one piece", &request.connected}};
+  command.options.insert(command.options.end(), options.begin(), options.end());
 }
 
 Partitioner::Partitioner(const AnyGraph& input, const std::string& source, const PartitionRequest& request,
@@ -108,22 +115,6 @@ graph::Partition Partitioner::operator()(std::uint32_t parts) const {
 
 graph::PartitionCost Partitioner::cost_of(const graph::Partition& partition) const {
   return graph::partition_cost(input_.graph, partition, vertex_weights_, edge_weights_);
-}
-
-const char* word(PartitionOutcome outcome) {
-  switch (outcome) {
-    case PartitionOutcome::done:
-      return "done";
-    case PartitionOutcome::empty_parts:
-      return "empty_parts";
-    case PartitionOutcome::stopped:
-      return "stopped";
-    case PartitionOutcome::unbalanced:
-      return "unbalanced";
-    case PartitionOutcome::disconnected:
-      return "disconnected";
-  }
-  return "";
 }
 
 }  // namespace leonhard::app

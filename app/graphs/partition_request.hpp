@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "leonhard/app/command_line/command.hpp"
 #include "leonhard/app/graphs/read_any_graph.hpp"
 #include "leonhard/graph/partition.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace leonhard::app {
 
@@ -25,7 +22,7 @@ struct PartitionRequest {
 };
 
 /// Adds -k, --method, --effort, --imbalance, --of and --connected to a subcommand.
-void add_partition_options(CLI::App& command, PartitionRequest& request);
+void add_partition_options(Command& command, PartitionRequest& request);
 
 /// Parts one graph into as many parts as asked for, also several times.
 class Partitioner {
@@ -50,8 +47,5 @@ class Partitioner {
   std::vector<std::uint32_t> vertex_weights_, edge_weights_;
   graph::PartitionOptions options_;
 };
-
-/// "done", "empty_parts", ...
-[[nodiscard]] const char* word(graph::PartitionOutcome outcome);
 
 }  // namespace leonhard::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/graphs/what_if.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
@@ -69,7 +69,7 @@ Json to_json(const std::vector<WhatIf>& table) {
   Json list = Json::array();
   for (const WhatIf& row : table) {
     Json line{{"parts", row.parts},
-              {"outcome", word(row.outcome)},
+              {"outcome", to_string(row.outcome)},
               {"cut", row.partition.cut},
               {"imbalance", row.partition.imbalance},
               {"largest", row.partition.largest},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/cells_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 #include <string>
@@ -66,17 +66,19 @@ void write_cells_vtu(const std::filesystem::path& path, const delaunay::VoronoiD
 
 void write_cells_json(const std::filesystem::path& path, const delaunay::VoronoiDiagram& diagram,
                       const delaunay::ClippedVoronoi& cells) {
-  Json list = Json::array();
+  std::string text = "{\"cells\":[";
   for (const VertexId site : cells_shown(diagram, cells)) {
     Json corners = Json::array();
-    for (const Point2 p : cells.cell(site)) corners.push_back({p.x, p.y});
-    list.push_back({{"site", site.index()},
-                    {"at", {diagram.sites[site].x, diagram.sites[site].y}},
+    for (const Point2 p : cells.cell(site)) corners.push_back(Json::array({p.x, p.y}));
+    const Json cell{{"site", site.index()},
+                    {"at", Json::array({diagram.sites[site].x, diagram.sites[site].y})},
                     {"area", cells.area[site]},
                     {"unbounded", diagram.is_unbounded(site)},
-                    {"corners", corners}});
+                    {"corners", corners}};
+    if (text.back() != '[') text += ',';
+    text += cell.line();
   }
-  io::write_file_atomically(path, Json{{"cells", list}}.dump() + "\n");
+  io::write_file_atomically(path, text + "]}\n");
 }
 
 }  // namespace leonhard::app

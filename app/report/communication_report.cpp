@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/communication_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <numeric>

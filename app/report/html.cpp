@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/html.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/report/mesh_json.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -86,18 +87,15 @@ std::string base64(std::string_view bytes) {
 }
 
 /// A number as the page shows it: counts in groups of three, the rest with the given digits.
-std::string shown(const Json& value, int digits = 4) {
-  if (value.is_null()) return "–";
-  if (value.is_string()) return escaped(value.get<std::string>());
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_number_unsigned()) return grouped(value.get<std::uint64_t>());
-  if (value.is_number_integer()) {
-    const auto n = value.get<std::int64_t>();
-    return (n < 0 ? "−" : "") + grouped(static_cast<std::uint64_t>(n < 0 ? -n : n));
-  }
-  const auto x = value.get<double>();
+std::string shown(double x, int digits) {
   return fmt::format("{}{:.{}f}", std::signbit(x) ? "−" : "", std::abs(x), digits);
 }
+std::string shown(std::int64_t n) {
+  return (n < 0 ? "−" : "") + grouped(static_cast<std::uint64_t>(n < 0 ? -n : n));
+}
+std::string shown(std::uint64_t n) { return grouped(n); }
+std::string shown(std::uint32_t n) { return grouped(n); }
+std::string shown(int n) { return shown(std::int64_t{n}); }
 
 std::string card(const std::string& value, std::string_view name) {
   return fmt::format("<div class=card><b>{}</b><span>{}</span></div>\n", value, name);
@@ -113,29 +111,29 @@ std::string mark(bool good, std::string_view yes, std::string_view no) {
   return fmt::format("<span class={}>{}</span>", good ? "ok" : "no", good ? yes : no);
 }
 
-std::string head_section(const Json& r) {
-  const bool good = r["outcome"] == "converged" || r["outcome"] == "settled";
+std::string head_section(const SolveRun& run) {
+  const FlowCase& flow = run.the_case.flow;
   std::string out = fmt::format(
       "<h1>{}</h1>\n<p class=lead>Mach {:g}, α = {:g}°, γ = {:g} &nbsp; <span "
       "class=\"verdict{}\">{}</span><br>{}</p>\n",
-      escaped(r["title"].get<std::string>()), r["flow"]["mach"].get<double>(),
-      r["flow"]["alpha_deg"].get<double>(), r["flow"]["gamma"].get<double>(), good ? "" : " bad",
-      escaped(r["outcome"].get<std::string>()), escaped(r["words"].get<std::string>()));
+      escaped(run.the_case.title), flow.mach, flow.alpha_deg, flow.gamma, run.goal_met() ? "" : " bad",
+      escaped(to_string(run.flow.verdict)), escaped(run.flow.words));
+  const Iteration last = run.flow.history.empty() ? Iteration{} : run.flow.history.back();
   out += "<div class=cards>\n";
-  out += card(shown(r["cl"], 5), "lift coefficient C<sub>L</sub>") +
-         card(shown(r["cd"], 5), "drag coefficient C<sub>D</sub>") +
-         card(shown(r["cm"], 5), "moment coefficient C<sub>M</sub>") +
-         card(shown(r["residual_drop_orders"], 1), "orders of residual drop") +
-         card(shown(r["iterations"]), "iterations") + card(shown(r["mesh"]["vertices"]), "vertices") +
-         card(shown(r["mesh"]["triangles"]), "triangles") +
-         card(fmt::format("{:.1f} s", r["seconds"]["total"].get<double>()), "in all");
+  out += card(shown(run.flow.forces.cl, 5), "lift coefficient C<sub>L</sub>") +
+         card(shown(run.flow.forces.cd, 5), "drag coefficient C<sub>D</sub>") +
+         card(shown(run.flow.forces.cm, 5), "moment coefficient C<sub>M</sub>") +
+         card(shown(last.residual_drop_orders, 1), "orders of residual drop") +
+         card(shown(last.number), "iterations") + card(shown(run.mesh.vertex_count()), "vertices") +
+         card(shown(run.mesh.triangle_count()), "triangles") +
+         card(fmt::format("{:.1f} s", run.total_seconds), "in all");
   return out + "</div>\n";
 }
 
-std::string warnings_section(const Json& r) {
-  if (r["warnings"].empty()) return {};
+std::string warnings_section(const SolveRun& run) {
+  if (run.warnings.empty()) return {};
   std::string out = "<h2>Warnings</h2>\n<ul class=warnings>\n";
-  for (const auto& warning : r["warnings"]) out += "<li>" + escaped(warning.get<std::string>()) + "</li>\n";
+  for (const std::string& warning : run.warnings) out += "<li>" + escaped(warning) + "</li>\n";
   return out + "</ul>\n";
 }
 
@@ -153,109 +151,109 @@ std::string pictures_section(const std::vector<ReportPicture>& pictures) {
   return out + "</div>\n";
 }
 
-std::string forces_section(const Json& r) {
+std::string forces_section(const SolveRun& run) {
   std::string out =
       "<h2>Forces</h2>\n<table><thead><tr><th>body</th><th>C<sub>L</sub></th><th>C<sub>D</sub></"
       "th><th>C<sub>M</sub></th>"
       "</tr></thead>\n";
-  for (const auto& body : r["bodies"]) {
-    out += row({shown(body["name"]), shown(body["cl"], 6), shown(body["cd"], 6), shown(body["cm"], 6)});
+  for (const auto& [marker, forces] : run.flow.forces_by_marker) {
+    out += row({escaped(run.conditions.at(marker).name), shown(forces.cl, 6), shown(forces.cd, 6),
+                shown(forces.cm, 6)});
   }
-  out += row({"<b>all</b>", "<b>" + shown(r["cl"], 6) + "</b>", "<b>" + shown(r["cd"], 6) + "</b>",
-              "<b>" + shown(r["cm"], 6) + "</b>"});
+  const Forces& all = run.flow.forces;
+  out += row({"<b>all</b>", "<b>" + shown(all.cl, 6) + "</b>", "<b>" + shown(all.cd, 6) + "</b>",
+              "<b>" + shown(all.cm, 6) + "</b>"});
+  const ReferenceCase& reference = run.the_case.reference;
   return out + fmt::format(
                    "</table>\n<p class=lead>Referred to a length of {:g}; moment about ({:g}, {:g}), nose up "
                    "positive.</p>\n",
-                   r["reference"]["length"].get<double>(), r["reference"]["moment_centre"][0].get<double>(),
-                   r["reference"]["moment_centre"][1].get<double>());
+                   reference.length, reference.moment_centre.x, reference.moment_centre.y);
 }
 
-std::string euler_section(const Json& r) {
-  const Json& euler = r["euler"];
+std::string euler_section(const SolveRun& run) {
+  const EulerAccount& euler = run.euler;
   std::string out =
       "<h2>Euler's "
       "account</h2>\n<table><thead><tr><th>formula</th><th>left</th><th>right</th><th></th></tr></thead>\n";
-  for (const auto& formula : euler["formulas"]) {
-    out += row({escaped(formula["words"].get<std::string>()), shown(formula["left"]), shown(formula["right"]),
-                mark(formula["left"] == formula["right"], "balances", "does not balance")});
+  for (const auto& formula : euler.formulas) {
+    out += row({escaped(formula.words), shown(formula.lhs), shown(formula.rhs),
+                mark(formula.holds(), "balances", "does not balance")});
   }
   out += "</table>\n<p class=lead>";
-  out += fmt::format("{} component(s), {} hole(s), {} boundary loop(s) with {} edges. ",
-                     shown(euler["components"]), shown(euler["holes"]), shown(euler["boundary_loops"]),
-                     shown(euler["boundary_edges"]));
-  if (r.contains("area")) {
+  out +=
+      fmt::format("{} component(s), {} hole(s), {} boundary loop(s) with {} edges. ", shown(euler.components),
+                  shown(euler.holes), shown(euler.boundary_loops), shown(euler.boundary_edges));
+  if (run.area) {
     out += fmt::format("Area of the mesh {:.15g}: {} the polygon's in exact rational arithmetic.",
-                       r["area"]["mesh"].get<double>(),
-                       mark(r["area"]["equal"].get<bool>(), "equal to", "differs from"));
+                       run.area->mesh, mark(run.area->equal, "equal to", "differs from"));
   }
   return out + "</p>\n";
 }
 
-std::string mesh_section(const Json& r) {
-  const Json& q = r["mesh"];
+std::string mesh_section(const SolveRun& run) {
+  const MeshQuality& quality = run.quality;
   std::string out = "<div class=two><div><h2>Mesh</h2>\n<table>\n";
-  for (const char* count : {"vertices", "edges", "triangles"}) out += row({count, shown(q[count])});
-  out += row({"smallest angle", shown(q["min_angle_deg"], 2) + "°"}) +
-         row({"largest angle", shown(q["max_angle_deg"], 2) + "°"}) +
-         row({"largest aspect ratio", shown(q["max_aspect_ratio"], 2)}) +
-         row({"largest size growth", shown(q["max_size_growth"], 2)});
-  if (r.contains("refinement")) {
-    out += row({"refinement", shown(r["refinement"]["outcome"])}) +
-           row({"points inserted", shown(r["refinement"]["inserted"])}) +
-           row({"segment splits", shown(r["refinement"]["segment_splits"])});
+  out += row({"vertices", shown(run.mesh.vertex_count())}) + row({"edges", shown(run.edges.ends.size())}) +
+         row({"triangles", shown(run.mesh.triangle_count())});
+  out += row({"smallest angle", shown(quality.min_angle_deg, 2) + "°"}) +
+         row({"largest angle", shown(quality.max_angle_deg, 2) + "°"}) +
+         row({"largest aspect ratio", shown(quality.max_aspect_ratio, 2)}) +
+         row({"largest size growth", shown(quality.max_size_growth, 2)});
+  if (run.refinement) {
+    out += row({"refinement", escaped(to_string(run.refinement->outcome))}) +
+           row({"points inserted", shown(run.refinement->inserted)}) +
+           row({"segment splits", shown(run.refinement->segment_splits)});
   }
-  out += row({"fingerprint", "<code>" + shown(q["fingerprint"]) + "</code>"});
+  out += row({"fingerprint", "<code>" + run.fingerprint.hex() + "</code>"});
   return out + "</table></div>\n";
 }
 
-std::string graph_section(const Json& r) {
+std::string graph_section(const SolveRun& run) {
   std::string out =
       "<div><h2>Ordering and "
       "partition</h2>\n<table><thead><tr><th>numbering</th><th>bandwidth</th><th>envelope</th>"
       "<th>fill</th></tr></thead>\n";
-  for (const auto& numbering : r["ordering"]) {
-    out += row({shown(numbering["method"]), shown(numbering["bandwidth"]), shown(numbering["envelope"]),
-                shown(numbering["fill"])});
+  for (const Numbering& numbering : run.numberings) {
+    out += row({escaped(numbering.name), shown(numbering.cost.bandwidth), shown(numbering.cost.envelope),
+                shown(numbering.fill)});
   }
-  const Json& p = r["partition"];
-  out += "</table>\n<table>\n" + row({"partition", shown(p["method"])}) + row({"parts", shown(p["parts"])}) +
-         row({"edges cut", shown(p["cut"])}) + row({"imbalance", shown(p["imbalance"], 4)}) +
-         row({"triangles in a part", shown(p["smallest"]) + " to " + shown(p["largest"])}) +
-         row({"most pieces of a part", shown(p["max_components"])}) +
-         row({"most neighbours of a part", shown(p["max_neighbours"])});
+  const graph::PartitionCost& cost = run.partition_cost;
+  out += "</table>\n<table>\n" + row({"partition", escaped(to_string(run.the_case.partitioning))}) +
+         row({"parts", shown(run.triangle_parts.parts)}) + row({"edges cut", shown(cost.cut)}) +
+         row({"imbalance", shown(cost.imbalance, 4)}) +
+         row({"triangles in a part", shown(cost.smallest) + " to " + shown(cost.largest)}) +
+         row({"most pieces of a part", shown(cost.max_components)}) +
+         row({"most neighbours of a part", shown(cost.max_neighbours)});
   return out + "</table></div></div>\n";
 }
 
-std::string time_section(const Json& r) {
+std::string time_section(const SolveReport& report) {
   std::string out = "<div class=two><div><h2>Time</h2>\n<table>\n";
-  for (const auto& [stage, seconds] : r["seconds"].items()) {
-    out += row(
-        {stage == "total" ? "<b>total</b>" : escaped(stage), fmt::format("{:.3f} s", seconds.get<double>())});
-  }
-  out += row({"peak memory", fmt::format("{:.0f} MiB", r["peak_memory_bytes"].get<double>() / 1048576.0)}) +
-         row({"threads", shown(r["threads"])});
+  for (const StageTime& stage : report.run.stages)
+    out += row({escaped(stage.name), fmt::format("{:.3f} s", stage.seconds)});
+  out += row({"<b>total</b>", fmt::format("{:.3f} s", report.run.total_seconds)});
+  out += row({"peak memory",
+              fmt::format("{:.0f} MiB", static_cast<double>(report.peak_memory_bytes) / 1048576.0)}) +
+         row({"threads", shown(report.run.threads)});
   out += "</table></div>\n<div><h2>Versions</h2>\n<table>\n";
-  for (const auto& [name, version] : r["versions"].items()) out += row({escaped(name), shown(version)});
+  for (const auto& [name, version] : versions()) out += row({escaped(name), escaped(version)});
   return out + "</table></div></div>\n";
 }
 
 }  // namespace
 
-std::string report_html(const Json& report, const std::vector<ReportPicture>& pictures,
-                        const std::string& case_text) {
+std::string report_html(const SolveReport& report, const std::vector<ReportPicture>& pictures) {
+  const SolveRun& run = report.run;
   std::string page =
       "<!doctype html>\n<html lang=en><head><meta charset=utf-8>\n<meta name=viewport "
       "content=\"width=device-width,initial-scale=1\">\n<title>" +
-      escaped(report["title"].get<std::string>()) + " · Leonhard</title>\n<style>" + std::string(style) +
+      escaped(run.the_case.title) + " · Leonhard</title>\n<style>" + std::string(style) +
       "</style></head><body>\n";
-  page += head_section(report) + warnings_section(report) + pictures_section(pictures) +
-          forces_section(report) + euler_section(report) + mesh_section(report) + graph_section(report) +
-          time_section(report);
-  page += "<h2>Case</h2>\n<pre>" + escaped(case_text) + "</pre>\n";
+  page += head_section(run) + warnings_section(run) + pictures_section(pictures) + forces_section(run) +
+          euler_section(run) + mesh_section(run) + graph_section(run) + time_section(report);
+  page += "<h2>Case</h2>\n<pre>" + escaped(run.the_case.text) + "</pre>\n";
   page += "<footer>Beside this page: ";
-  for (const auto& file : report["files"]) {
-    page += fmt::format("<a href=\"{0}\">{0}</a> ", escaped(file.get<std::string>()));
-  }
+  for (const std::string& file : report.files) page += fmt::format("<a href=\"{0}\">{0}</a> ", escaped(file));
   return page + "</footer>\n</body></html>\n";
 }
 

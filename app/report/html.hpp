@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/app/report/json.hpp"
+#include "leonhard/app/report/solve_report.hpp"
 
 namespace leonhard::app {
 
@@ -18,9 +18,6 @@ struct ReportPicture {
 
 /// One page that needs no network and no other file: figures, tables and pictures of a run.
 ///
-/// report     as report_json makes it
-/// case_text  the case file as read
-[[nodiscard]] std::string report_html(const Json& report, const std::vector<ReportPicture>& pictures,
-                                      const std::string& case_text);
+[[nodiscard]] std::string report_html(const SolveReport& report, const std::vector<ReportPicture>& pictures);
 
 }  // namespace leonhard::app

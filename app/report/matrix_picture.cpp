@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/matrix_picture.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "leonhard/app/console.hpp"
 #include "leonhard/mesh/draw/pattern.hpp"

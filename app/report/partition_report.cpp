@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/partition_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "leonhard/app/console.hpp"
 
@@ -12,7 +12,7 @@ Json partition_report(const graph::Partition& partition, const graph::PartitionC
   return {{"method", request.method},
           {"effort", request.effort},
           {"parts", partition.parts},
-          {"outcome", word(partition.outcome)},
+          {"outcome", to_string(partition.outcome)},
           {"cut", cost.cut},
           {"cut_weight", cost.cut_weight},
           {"imbalance", cost.imbalance},
@@ -30,19 +30,17 @@ Json partition_report(const graph::Partition& partition, const graph::PartitionC
           {"halo", cost.halo}};
 }
 
-std::string partition_report_text(const Json& report) {
-  const auto count = [&](const char* key) { return grouped(report[key].get<std::uint64_t>()); };
-  const auto of = report["of"].get<std::string>();
-  std::string text = graph_text(report["vertices"], report["edges"], of);
-  text += fmt::format("{:<12}{} by {}: {}\n", "parts", count("parts"), report["method"].get<std::string>(),
-                      report["outcome"].get<std::string>());
-  text += fmt::format("{:<12}{} edges, weight {}\n", "cut", count("cut"), count("cut_weight"));
-  text += fmt::format("{:<12}{} to {} {}, imbalance {:.4f} (allowed {:g})\n", "balance", count("smallest"),
-                      count("largest"), of, report["imbalance"].get<double>(),
-                      report["imbalance_allowed"].get<double>());
-  text += fmt::format("{:<12}{} at most in a part\n", "components", count("max_components"));
-  text += fmt::format("{:<12}{} at most\n", "neighbours", count("max_neighbours"));
-  text += fmt::format("{:<12}{} {} at most, {} in all\n", "halo", count("max_halo"), of, count("total_halo"));
+std::string partition_report_text(const graph::Partition& partition, const graph::PartitionCost& cost,
+                                  const PartitionRequest& request, std::string_view of) {
+  std::string text = fmt::format("{:<12}{} by {}: {}\n", "parts", grouped(partition.parts), request.method,
+                                 to_string(partition.outcome));
+  text += fmt::format("{:<12}{} edges, weight {}\n", "cut", grouped(cost.cut), grouped(cost.cut_weight));
+  text += fmt::format("{:<12}{} to {} {}, imbalance {:.4f} (allowed {:g})\n", "balance",
+                      grouped(cost.smallest), grouped(cost.largest), of, cost.imbalance, request.imbalance);
+  text += fmt::format("{:<12}{} at most in a part\n", "components", grouped(cost.max_components));
+  text += fmt::format("{:<12}{} at most\n", "neighbours", grouped(cost.max_neighbours));
+  text += fmt::format("{:<12}{} {} at most, {} in all\n", "halo", grouped(cost.max_halo), of,
+                      grouped(cost.total_halo));
   return text;
 }
 

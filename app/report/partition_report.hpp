@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "leonhard/app/graphs/partition_request.hpp"
 #include "leonhard/app/report/json.hpp"
 
@@ -10,8 +13,11 @@ namespace leonhard::app {
 [[nodiscard]] Json partition_report(const graph::Partition& partition, const graph::PartitionCost& cost,
                                     const PartitionRequest& request);
 
-/// The same for people: the totals, one a line. The report must have the graph's `vertices` and `edges` too, and in `of`
-/// what its vertices are (vertices_are).
-[[nodiscard]] std::string partition_report_text(const Json& report);
+/// The same for people: the totals, one a line.
+///
+/// of  what the graph's vertices are (vertices_are)
+[[nodiscard]] std::string partition_report_text(const graph::Partition& partition,
+                                                const graph::PartitionCost& cost,
+                                                const PartitionRequest& request, std::string_view of);
 
 }  // namespace leonhard::app

@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/points3_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/app/console.hpp"
-#include "leonhard/mesh/fingerprint.hpp"
 
 namespace leonhard::app {
 
 using delaunay::TetrahedralizeOutcome;
-
-std::string word(TetrahedralizeOutcome outcome) {
-  switch (outcome) {
-    case TetrahedralizeOutcome::done:
-      return "done";
-    case TetrahedralizeOutcome::too_few_points:
-      return "too_few_points";
-    case TetrahedralizeOutcome::all_collinear:
-      return "all_collinear";
-    case TetrahedralizeOutcome::all_coplanar:
-      return "all_coplanar";
-    case TetrahedralizeOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
-}
 
 std::string why_no_tetrahedra(TetrahedralizeOutcome outcome, std::size_t distinct_points) {
   switch (outcome) {
@@ -60,51 +44,71 @@ std::size_t count_distinct(std::span<const Point3> points) {
   return static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
 }
 
-Json points3_account(std::span<const Point3> points, std::size_t distinct) {
-  if (points.empty()) return {{"points", 0}, {"duplicates", 0}, {"box", nullptr}};
-  Point3 low = points.front(), high = low;
+Points3Account points3_account(std::span<const Point3> points, std::size_t distinct) {
+  Points3Account account;
+  if (points.empty()) return account;
+  account.points = points.size();
+  account.duplicates = points.size() - distinct;
+  account.low = account.high = points.front();
   for (const Point3& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    account.low = {std::min(account.low.x, p.x), std::min(account.low.y, p.y), std::min(account.low.z, p.z)};
+    account.high = {std::max(account.high.x, p.x), std::max(account.high.y, p.y),
+                    std::max(account.high.z, p.z)};
   }
-  return {{"points", points.size()},
-          {"duplicates", points.size() - distinct},
-          {"box", {{"low", {low.x, low.y, low.z}}, {"high", {high.x, high.y, high.z}}}}};
+  return account;
 }
 
-Json points3_report(std::span<const Point3> points, const delaunay::TetrahedralizeOptions& options) {
+Json to_json(const Points3Account& account) {
+  const auto place = [](const Point3& p) { return Json::array({p.x, p.y, p.z}); };
+  Json box;
+  if (account.points > 0) box = Json{{"low", place(account.low)}, {"high", place(account.high)}};
+  return {{"points", account.points}, {"duplicates", account.duplicates}, {"box", box}};
+}
+
+Points3Report points3_report(std::span<const Point3> points, const delaunay::TetrahedralizeOptions& options) {
   const auto result = delaunay::tetrahedralize(std::vector<Point3>(points.begin(), points.end()), options);
   const bool done = result.outcome == TetrahedralizeOutcome::done;
-  Json report = points3_account(points, done ? result.mesh.vertex_count() : count_distinct(points));
+  Points3Report report;
+  report.account = points3_account(points, done ? result.mesh.vertex_count() : count_distinct(points));
+  report.outcome = result.outcome;
+  report.tetrahedra = result.mesh.tet_count();
+  if (!done) return report;
   std::set<VertexId> hull;
   for (const MarkedFace& face : result.mesh.boundary) hull.insert(face.corners.begin(), face.corners.end());
-  report["outcome"] = word(result.outcome);
-  report["tetrahedra"] = result.mesh.tet_count();
-  report["hull_faces"] = done ? Json(result.mesh.boundary.size()) : Json(nullptr);
-  report["hull_points"] = done ? Json(hull.size()) : Json(nullptr);
-  report["fingerprint"] = done ? Json(mesh::fingerprint(result.mesh).hex()) : Json(nullptr);
+  report.hull = {result.mesh.boundary.size(), hull.size(), mesh::fingerprint(result.mesh)};
   return report;
 }
 
-std::string points3_report_text(const Json& r) {
+Json to_json(const Points3Report& report) {
+  Json json = to_json(report.account);
+  json["outcome"] = to_string(report.outcome);
+  json["tetrahedra"] = report.tetrahedra;
+  json["hull_faces"] = nullptr;
+  json["hull_points"] = nullptr;
+  json["fingerprint"] = nullptr;
+  if (report.hull) {
+    json["hull_faces"] = report.hull->faces;
+    json["hull_points"] = report.hull->points;
+    json["fingerprint"] = report.hull->fingerprint.hex();
+  }
+  return json;
+}
+
+std::string text_of(const Points3Report& report) {
   std::string text;
   const auto line = [&text](std::string_view name, const std::string& value) {
     fmt::format_to(std::back_inserter(text), "{:<14}{}\n", name, value);
   };
-  const auto count = [&r](const char* key) { return grouped(r[key].get<std::uint64_t>()); };
-  const auto place = [](const Json& p) {
-    return fmt::format("({}, {}, {})", p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
-  };
-  line("points", count("points"));
-  line("duplicates", count("duplicates"));
-  line("box", place(r["box"]["low"]) + " to " + place(r["box"]["high"]));
-  line("outcome", r["outcome"].get<std::string>());
-  line("tetrahedra", count("tetrahedra"));
-  if (r["hull_faces"].is_number())
-    line("hull", count("hull_faces") + " faces, " + count("hull_points") + " points");
-  line("fingerprint", r["fingerprint"].is_string()
-                          ? r["fingerprint"].get<std::string>() + " of the Delaunay tetrahedralisation"
-                          : "none: there is no tetrahedralisation");
+  const auto place = [](const Point3& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); };
+  line("points", grouped(report.account.points));
+  line("duplicates", grouped(report.account.duplicates));
+  line("box", place(report.account.low) + " to " + place(report.account.high));
+  line("outcome", std::string(to_string(report.outcome)));
+  line("tetrahedra", grouped(report.tetrahedra));
+  if (report.hull)
+    line("hull", grouped(report.hull->faces) + " faces, " + grouped(report.hull->points) + " points");
+  line("fingerprint", report.hull ? report.hull->fingerprint.hex() + " of the Delaunay tetrahedralisation"
+                                  : "none: there is no tetrahedralisation");
   return text;
 }
 

@@ -1,33 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/points_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "leonhard/app/console.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
-#include "leonhard/mesh/fingerprint.hpp"
 
 namespace leonhard::app {
 
 using delaunay::TriangulateOutcome;
-
-std::string word(TriangulateOutcome outcome) {
-  switch (outcome) {
-    case TriangulateOutcome::done:
-      return "done";
-    case TriangulateOutcome::too_few_points:
-      return "too_few_points";
-    case TriangulateOutcome::all_collinear:
-      return "all_collinear";
-    case TriangulateOutcome::stopped:
-      return "stopped";
-  }
-  return "?";
-}
 
 std::string why_no_triangles(TriangulateOutcome outcome, std::size_t distinct_points) {
   switch (outcome) {
@@ -55,54 +41,69 @@ std::size_t count_distinct(std::span<const Point2> points) {
 
 }  // namespace
 
-Json points_account(std::span<const Point2> points) {
-  if (points.empty()) return {{"points", 0}, {"duplicates", 0}, {"box", nullptr}};
-  const std::size_t distinct = count_distinct(points);
-  Point2 low = points.front(), high = low;
+PointsAccount points_account(std::span<const Point2> points) {
+  PointsAccount account;
+  if (points.empty()) return account;
+  account.points = points.size();
+  account.duplicates = points.size() - count_distinct(points);
+  account.low = account.high = points.front();
   for (const Point2 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    account.low = {std::min(account.low.x, p.x), std::min(account.low.y, p.y)};
+    account.high = {std::max(account.high.x, p.x), std::max(account.high.y, p.y)};
   }
-  return {{"points", points.size()},
-          {"duplicates", points.size() - distinct},
-          {"box", {{"low", {low.x, low.y}}, {"high", {high.x, high.y}}}}};
+  return account;
 }
 
-Json points_report(std::span<const Point2> points, const delaunay::AlgorithmOptions& options) {
-  Json report = points_account(points);
+Json to_json(const PointsAccount& account) {
+  const auto place = [](Point2 p) { return Json::array({p.x, p.y}); };
+  Json box;
+  if (account.points > 0) box = Json{{"low", place(account.low)}, {"high", place(account.high)}};
+  return {{"points", account.points}, {"duplicates", account.duplicates}, {"box", box}};
+}
+
+PointsReport points_report(std::span<const Point2> points, const delaunay::AlgorithmOptions& options) {
   delaunay::TriangulateOptions triangulate;
   triangulate.threads = options.threads;
   triangulate.seed = options.seed;
   triangulate.progress = options.progress;
   const auto result = delaunay::triangulate(std::vector<Point2>(points.begin(), points.end()), triangulate);
-  const bool done = result.outcome == TriangulateOutcome::done;
-  report["outcome"] = word(result.outcome);
-  // One point or two lie on a line as well.
-  report["collinear"] = !done && result.outcome != TriangulateOutcome::stopped;
-  report["triangles"] = result.mesh.triangle_count();
-  report["hull_points"] = done ? Json(result.mesh.boundary.size()) : Json(nullptr);
-  report["fingerprint"] = done ? Json(mesh::fingerprint(result.mesh).hex()) : Json(nullptr);
+  PointsReport report;
+  report.account = points_account(points);
+  report.outcome = result.outcome;
+  report.triangles = result.mesh.triangle_count();
+  if (result.outcome == TriangulateOutcome::done)
+    report.hull = {result.mesh.boundary.size(), mesh::fingerprint(result.mesh)};
   return report;
 }
 
-std::string points_report_text(const Json& r) {
+Json to_json(const PointsReport& report) {
+  Json json = to_json(report.account);
+  json["outcome"] = to_string(report.outcome);
+  json["collinear"] = report.is_collinear();
+  json["triangles"] = report.triangles;
+  json["hull_points"] = nullptr;
+  json["fingerprint"] = nullptr;
+  if (report.hull) {
+    json["hull_points"] = report.hull->points;
+    json["fingerprint"] = report.hull->fingerprint.hex();
+  }
+  return json;
+}
+
+std::string text_of(const PointsReport& report) {
   std::string text;
   const auto line = [&text](std::string_view name, const std::string& value) {
     fmt::format_to(std::back_inserter(text), "{:<14}{}\n", name, value);
   };
-  const auto count = [&r](const char* key) { return grouped(r[key].get<std::uint64_t>()); };
-  line("points", count("points"));
-  line("duplicates", count("duplicates"));
-  line("collinear", r["collinear"].get<bool>() ? "yes" : "no");
-  const Json& low = r["box"]["low"];
-  const Json& high = r["box"]["high"];
-  line("box", fmt::format("({}, {}) to ({}, {})", low[0].get<double>(), low[1].get<double>(),
-                          high[0].get<double>(), high[1].get<double>()));
-  line("triangles", count("triangles"));
-  if (r["hull_points"].is_number()) line("hull points", count("hull_points"));
-  line("fingerprint", r["fingerprint"].is_string()
-                          ? r["fingerprint"].get<std::string>() + " of the Delaunay triangulation"
-                          : "none: there is no triangulation");
+  const auto place = [](Point2 p) { return fmt::format("({}, {})", p.x, p.y); };
+  line("points", grouped(report.account.points));
+  line("duplicates", grouped(report.account.duplicates));
+  line("collinear", report.is_collinear() ? "yes" : "no");
+  line("box", place(report.account.low) + " to " + place(report.account.high));
+  line("triangles", grouped(report.triangles));
+  if (report.hull) line("hull points", grouped(report.hull->points));
+  line("fingerprint", report.hull ? report.hull->fingerprint.hex() + " of the Delaunay triangulation"
+                                  : "none: there is no triangulation");
   return text;
 }
 

@@ -1,24 +1,56 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "leonhard/app/report/json.hpp"
+#include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/tet_euler.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
+#include "leonhard/mesh/tet_quality.hpp"
 
 namespace leonhard::app {
 
-/// What `leonhard check` and `leonhard tetrahedralize` say of a tetrahedral mesh: counts, Euler's account with components,
-/// handles and cavities, validity, Delaunay property, whether it fills its convex hull, quality, volume by its tetrahedra
-/// and by its boundary in rational arithmetic, fingerprint, and each marker's faces and area.
-///
-/// Words that need a valid mesh are null where it is not.
-[[nodiscard]] Json tet_mesh_report(const TetMesh& mesh);
+/// The boundary faces of one marker.
+struct BoundaryFaces {
+  Marker marker{};
+  std::string name;
+  std::size_t faces{};
+  double area{};
+};
 
-/// The same as text for people.
-[[nodiscard]] std::string tet_mesh_report_text(const Json& report);
+/// What can be said of a valid tetrahedral mesh only.
+struct ValidTetReport {
+  Fingerprint fingerprint;
+  TetEulerAccount euler;
+  std::optional<std::string> not_delaunay;  ///< where it is not
+  bool fills_convex_hull{};
+  TetMeshQuality quality;
+  double volume{};                  ///< of its tetrahedra, from rational arithmetic
+  double volume_within_boundary{};  ///< likewise
+  bool volumes_equal{};             ///< as rational numbers
+  std::vector<BoundaryFaces> boundary;
+};
 
-/// Valid, balanced, and both volumes equal; the Delaunay property is a figure, not a fault.
-[[nodiscard]] bool is_sound_in_space(const Json& report);
+/// What `leonhard check` and `leonhard tetrahedralize` say of a tetrahedral mesh.
+struct TetReport {
+  std::size_t vertices{}, tetrahedra{};
+  std::optional<std::string> invalid;   ///< what is wrong; none: nothing
+  std::optional<ValidTetReport> valid;  ///< none, where something is
+
+  /// Valid, balanced, and both volumes equal; the Delaunay property is a figure, not a fault.
+  [[nodiscard]] bool is_sound() const { return valid && valid->euler.balances() && valid->volumes_equal; }
+};
+
+[[nodiscard]] TetReport tet_mesh_report(const TetMesh& mesh);
+
+/// For people.
+[[nodiscard]] std::string text_of(const TetReport& report);
+
+/// For programs. Words that need a valid mesh are null where it is not.
+[[nodiscard]] Json to_json(const TetReport& report);
 
 }  // namespace leonhard::app

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/write.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
 #include <set>
 
 #include "leonhard/app/report/html.hpp"
+#include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/report/pictures.hpp"
+#include "leonhard/app/report/solve_report.hpp"
 #include "leonhard/app/solve/stage_clock.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
@@ -73,11 +75,11 @@ Json write_report(SolveRun& run, const std::filesystem::path& folder) {
     io::write_mesh(folder / "mesh.su2", run.mesh);
     pictures = draw_pictures(run, folder);
   }
-  Json report = report_json(run);
-  report["files"] = files_in(folder);
-  io::write_file_atomically(folder / "report.json", report.dump(2) + "\n");
-  io::write_file_atomically(folder / "report.html", report_html(report, pictures, run.the_case.text));
-  return report;
+  const SolveReport report{run, peak_memory_bytes(), files_in(folder)};
+  Json json = to_json(report);
+  io::write_file_atomically(folder / "report.json", json.text() + "\n");
+  io::write_file_atomically(folder / "report.html", report_html(report, pictures));
+  return json;
 }
 
 }  // namespace leonhard::app

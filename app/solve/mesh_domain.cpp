@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/solve/mesh_domain.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <limits>
@@ -14,7 +14,8 @@ namespace {
 
 std::function<double(Point2)> sizing_of(const DomainGeometry& domain) {
   if (domain.sources.empty()) {
-    if (domain.max_size > 0 && std::isfinite(domain.max_size)) return [size = domain.max_size](Point2) { return size; };
+    if (domain.max_size > 0 && std::isfinite(domain.max_size))
+      return [size = domain.max_size](Point2) { return size; };
     return {};
   }
   std::vector<delaunay::GradedSizing::Source> sources;

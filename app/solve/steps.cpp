@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/solve/steps.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,22 +44,6 @@ AreaAccount area_account(const SolveRun& run) {
   return {mesh2.get_d() / 2, polygon2.get_d() / 2, difference2 == 0, difference2.get_d() / 2};
 }
 
-BoundaryKind boundary_kind(Condition condition) {
-  switch (condition) {
-    case Condition::slip_wall:
-      return BoundaryKind::slip_wall;
-    case Condition::far_field:
-      return BoundaryKind::far_field;
-    case Condition::supersonic_inflow:
-      return BoundaryKind::supersonic_inflow;
-    case Condition::supersonic_outflow:
-      return BoundaryKind::supersonic_outflow;
-    case Condition::symmetry:
-      return BoundaryKind::symmetry;
-  }
-  return BoundaryKind::slip_wall;
-}
-
 EulerProblem problem_of(const SolveRun& run) {
   const Case& c = run.the_case;
   EulerProblem problem{.mesh = run.mesh,
@@ -71,18 +55,15 @@ EulerProblem problem_of(const SolveRun& run) {
                        .vortex_centre = c.reference.moment_centre,
                        .outer_state = {}};
   for (const auto& [marker, condition] : run.conditions)
-    problem.boundary[marker] = boundary_kind(condition.kind);
+    problem.boundary[marker] = condition.kind;
   return problem;
 }
 
 SteadyOptions options_of(const SolveRun& run) {
   const SolverCase& s = run.the_case.solver;
   SteadyOptions options;
-  options.marching =
-      s.marching == MarchingChoice::implicit_ptc ? Marching::implicit_ptc : Marching::explicit_multistage;
-  options.limiter = s.limiter == LimiterChoice::none              ? LimiterKind::none
-                    : s.limiter == LimiterChoice::barth_jespersen ? LimiterKind::barth_jespersen
-                                                                  : LimiterKind::venkatakrishnan;
+  options.marching = s.marching;
+  options.limiter = s.limiter;
   options.venkatakrishnan_k = s.venkatakrishnan_k;
   options.entropy_fix = s.entropy_fix;
   options.order = s.order;

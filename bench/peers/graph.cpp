@@ -27,6 +27,7 @@
 
 #include "bench/point_sets.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
+#include "leonhard/graph/boost_graph.hpp"
 #include "leonhard/graph/colouring.hpp"
 #include "leonhard/graph/fiedler.hpp"
 #include "leonhard/graph/fill.hpp"
@@ -93,7 +94,7 @@ Order boost_reverse_cuthill_mckee(const CsrGraph& graph) {
   std::vector<boost::default_color_type> colour(n);
   std::vector<std::uint32_t> degree(n);
   for (std::uint32_t v = 0; v < n; ++v) degree[v] = graph::degree(graph, v);
-  const auto index = boost::get(boost::vertex_index, graph);
+  const auto index = get(boost::vertex_index, graph);
   boost::cuthill_mckee_ordering(graph, order.rbegin(),
                                 boost::make_iterator_property_map(colour.begin(), index),
                                 boost::make_iterator_property_map(degree.begin(), index));

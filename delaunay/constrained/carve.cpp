@@ -15,10 +15,10 @@ namespace {
 /// A real triangle that has the seed in it or on its border; none outside the hull.
 ///
 /// throws InputError if the seed is on a segment, so that it would be unclear which side is meant.
-std::optional<TriangleId> seeded_triangle(const ConstrainedTriangulation& in, Point2 seed,
-                                          const std::string& name, const std::string& source) {
+std::optional<AnyTriangleId> seeded_triangle(const ConstrainedTriangulation& in, Point2 seed,
+                                             const std::string& name, const std::string& source) {
   const GhostTriangulation& topology = in.topology();
-  TriangleId start{0};
+  AnyTriangleId start{0};
   while (topology.is_ghost(start)) ++start.raw;
   Coin coin;
   const Location at = locate(topology, in.points(), start, seed, coin);
@@ -40,15 +40,15 @@ std::optional<TriangleId> seeded_triangle(const ConstrainedTriangulation& in, Po
 /// Give `value` to all triangles that can be reached from those on the stack (which have it already) over
 /// unconstrained edges and that satisfy `free`.
 template <class Values, class Value, class Free>
-void flood(const ConstrainedTriangulation& in, std::vector<TriangleId> stack, Values& values, Value value,
+void flood(const ConstrainedTriangulation& in, std::vector<AnyTriangleId> stack, Values& values, Value value,
            const Free& free) {
   const GhostTriangulation& topology = in.topology();
   while (!stack.empty()) {
-    const TriangleId t = stack.back();
+    const AnyTriangleId t = stack.back();
     stack.pop_back();
     for (unsigned i = 0; i < 3; ++i) {
       const SideId s = topology.side(t, i);
-      const TriangleId behind = topology.triangle(topology.twin(s));
+      const AnyTriangleId behind = topology.triangle(topology.twin(s));
       if (in.is_constrained(s) || !free(behind)) continue;
       values[behind.index()] = value;
       stack.push_back(behind);
@@ -61,18 +61,18 @@ std::vector<bool> removed_triangles(const ConstrainedTriangulation& in, const Ps
                                     bool keep_convex_hull, std::vector<std::string>& repairs) {
   const GhostTriangulation& topology = in.topology();
   std::vector<bool> removed(topology.triangle_count(), false);
-  std::vector<TriangleId> stack;
+  std::vector<AnyTriangleId> stack;
   for (std::size_t i = 0; i < removed.size(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     if (!topology.is_ghost(t)) continue;
     removed[i] = true;
     if (!keep_convex_hull) stack.push_back(t);
   }
-  const auto there = [&](TriangleId t) { return !removed[t.index()]; };
+  const auto there = [&](AnyTriangleId t) { return !removed[t.index()]; };
   flood(in, std::move(stack), removed, true, there);
   for (std::size_t h = 0; h < pslg.holes.size(); ++h) {
     const std::string name = "hole " + std::to_string(h);
-    const std::optional<TriangleId> t = seeded_triangle(in, pslg.holes[h], name, pslg.source);
+    const std::optional<AnyTriangleId> t = seeded_triangle(in, pslg.holes[h], name, pslg.source);
     if (!t || removed[t->index()]) {
       repairs.push_back(
           name + " at " + mesh::words(pslg.holes[h]) +
@@ -89,7 +89,7 @@ std::vector<bool> removed_triangles(const ConstrainedTriangulation& in, const Ps
 /// Put a ghost triangle behind every side that has none yet and link the ghosts into rings.
 void close_with_ghosts(GhostTriangulation& topology, const std::vector<SideId>& open) {
   const auto is_open = [&](SideId s) { return topology.twin(s) == s; };
-  std::vector<std::pair<SideId, TriangleId>> ghosts;
+  std::vector<std::pair<SideId, AnyTriangleId>> ghosts;
   for (const SideId s : open)
     ghosts.emplace_back(s,
                         topology.add(GhostTriangulation::ghost, topology.destination(s), topology.origin(s)));
@@ -101,7 +101,7 @@ void close_with_ghosts(GhostTriangulation& topology, const std::vector<SideId>& 
   }
   for (const auto& [s, ghost] : ghosts) topology.link(s, topology.side(ghost, 0));
   for (std::size_t i = 0; i < open.size(); ++i) {
-    const TriangleId beyond = topology.triangle(topology.twin(next_open[i]));
+    const AnyTriangleId beyond = topology.triangle(topology.twin(next_open[i]));
     topology.link(topology.side(ghosts[i].second, 2), topology.side(beyond, 1));
   }
 }
@@ -110,19 +110,19 @@ void close_with_ghosts(GhostTriangulation& topology, const std::vector<SideId>& 
 ConstrainedTriangulation keep(const ConstrainedTriangulation& in, const std::vector<bool>& removed) {
   const GhostTriangulation& from = in.topology();
   GhostTriangulation topology;
-  std::vector<MaybeId<TriangleId>> new_of_old(removed.size());
-  std::vector<TriangleId> kept;
+  std::vector<MaybeId<AnyTriangleId>> new_of_old(removed.size());
+  std::vector<AnyTriangleId> kept;
   for (std::size_t i = 0; i < removed.size(); ++i) {
     if (removed[i]) continue;
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     new_of_old[i] = topology.add(from.corner(t, 0), from.corner(t, 1), from.corner(t, 2));
     kept.push_back(t);
   }
   std::vector<SideId> open;
   for (std::size_t i = 0; i < kept.size(); ++i)
     for (unsigned k = 0; k < 3; ++k) {
-      const SideId s = topology.side(TriangleId::from(i), k), twin = from.twin(from.side(kept[i], k));
-      if (const MaybeId<TriangleId> behind = new_of_old[from.triangle(twin).index()]) {
+      const SideId s = topology.side(AnyTriangleId::from(i), k), twin = from.twin(from.side(kept[i], k));
+      if (const MaybeId<AnyTriangleId> behind = new_of_old[from.triangle(twin).index()]) {
         topology.link(s, topology.side(*behind, topology.number(twin)));
       } else {
         topology.link(s, s);
@@ -134,12 +134,14 @@ ConstrainedTriangulation keep(const ConstrainedTriangulation& in, const std::vec
   ConstrainedTriangulation out(std::move(topology), in.points());
   for (std::size_t i = 0; i < kept.size(); ++i)
     for (unsigned k = 0; k < 3; ++k) {
-      const SideId s = out.topology().side(TriangleId::from(i), k);
+      const SideId s = out.topology().side(AnyTriangleId::from(i), k);
       const bool boundary = out.topology().is_ghost(out.topology().triangle(out.topology().twin(s)));
       const MaybeId<PieceId> p = in.piece_of(from.side(kept[i], k));
       if (out.is_constrained(s) || (!p && !boundary)) continue;
-      const Marker marker = p ? in.piece(*p).marker : 0;
-      out.add_piece(s, boundary && marker == 0 ? 1 : marker, p ? in.piece(*p).segment : Piece::no_segment);
+      if (p)
+        out.add_piece(s, in.piece(*p).marker, in.piece(*p).segment);
+      else
+        out.add_piece(s, 1, {});  // of the convex hull
     }
   return out;
 }
@@ -151,7 +153,7 @@ std::vector<std::uint32_t> regions(const ConstrainedTriangulation& in, const Psl
   for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
     const std::string name = "region " + std::to_string(r);
     const Point2 seed = pslg.regions[r].seed;
-    const std::optional<TriangleId> t = seeded_triangle(in, seed, name, pslg.source);
+    const std::optional<AnyTriangleId> t = seeded_triangle(in, seed, name, pslg.source);
     const bool outside = !t || removed[t->index()];
     if (outside || region_of[t->index()] != 0) {
       repairs.push_back(name + " at " + mesh::words(seed) +
@@ -163,7 +165,7 @@ std::vector<std::uint32_t> regions(const ConstrainedTriangulation& in, const Psl
     const auto value = static_cast<std::uint32_t>(r + 1);
     region_of[t->index()] = value;
     flood(in, {*t}, region_of, value,
-          [&](TriangleId u) { return !removed[u.index()] && region_of[u.index()] == 0; });
+          [&](AnyTriangleId u) { return !removed[u.index()] && region_of[u.index()] == 0; });
   }
   return region_of;
 }

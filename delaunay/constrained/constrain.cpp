@@ -20,7 +20,7 @@ class SegmentInserter {
   SegmentInserter(ConstrainedTriangulation& in, const Pslg& pslg)
       : in_(in), topology_(in.topology()), pslg_(pslg), side_from_(in.points().size()) {
     for (std::size_t t = 0; t < topology_.triangle_count(); ++t)
-      for (unsigned i = 0; i < 3; ++i) remember(topology_.side(TriangleId::from(t), i));
+      for (unsigned i = 0; i < 3; ++i) remember(topology_.side(AnyTriangleId::from(t), i));
   }
 
   void insert(VertexId from, VertexId to, std::size_t segment, std::vector<OverlapNote>& overlaps) {
@@ -79,7 +79,8 @@ class SegmentInserter {
     std::deque<Edge> crossed;
     VertexId reached{};
     for (SideId s = first;;) {
-      if (const MaybeId<PieceId> other = in_.piece_of(s)) refuse_crossing(segment, in_.piece(*other).segment);
+      if (const MaybeId<PieceId> other = in_.piece_of(s))
+        refuse_crossing(segment, (*in_.piece(*other).segment).index());
       crossed.emplace_back(topology_.origin(s), topology_.destination(s));
       const SideId behind = topology_.twin(s);
       const VertexId v = topology_.apex(behind);
@@ -131,7 +132,7 @@ class SegmentInserter {
   }
 
   void flip(SideId s) {
-    const TriangleId one = topology_.triangle(s), other = topology_.triangle(topology_.twin(s));
+    const AnyTriangleId one = topology_.triangle(s), other = topology_.triangle(topology_.twin(s));
     in_.flip(s);
     for (unsigned i = 0; i < 3; ++i) {
       remember(topology_.side(one, i));
@@ -157,13 +158,13 @@ class SegmentInserter {
   void mark(SideId s, std::size_t segment, std::vector<OverlapNote>& overlaps, std::size_t overlaps_before) {
     const Marker marker = pslg_.segments[segment].marker;
     if (const MaybeId<PieceId> p = in_.piece_of(s)) {
-      const std::size_t earlier = in_.piece(*p).segment;
+      const std::size_t earlier = (*in_.piece(*p).segment).index();
       if (overlaps.size() == overlaps_before || overlaps.back().earlier != earlier)
         overlaps.push_back({segment, earlier});
       if (in_.piece(*p).marker == 0) in_.set_marker(*p, marker);
       return;
     }
-    in_.add_piece(s, marker, segment);
+    in_.add_piece(s, marker, SegmentId::from(segment));
   }
 
   [[noreturn]] void refuse_crossing(std::size_t one, std::size_t other) const {

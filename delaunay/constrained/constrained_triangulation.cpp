@@ -18,7 +18,7 @@ void ConstrainedTriangulation::set_piece(SideId s, MaybeId<PieceId> p) {
   if (p) pieces_[*p].side = s;
 }
 
-PieceId ConstrainedTriangulation::add_piece(SideId s, Marker marker, std::size_t segment) {
+PieceId ConstrainedTriangulation::add_piece(SideId s, Marker marker, MaybeId<SegmentId> segment) {
   const PieceId p = pieces_.push_back({topology_.origin(s), topology_.destination(s), s, marker, segment});
   set_both(s, p);
   return p;
@@ -76,7 +76,7 @@ PieceId ConstrainedTriangulation::split_piece(PieceId p, VertexId v, const Cavit
 std::optional<std::string> ConstrainedTriangulation::validate() const {
   if (auto broken = topology_.validate()) return broken;
   for (std::size_t k = 0; k < piece_of_side_.size(); ++k) {
-    const SideId s = topology_.side(TriangleId::from(k / 3), static_cast<unsigned>(k % 3)),
+    const SideId s = topology_.side(AnyTriangleId::from(k / 3), static_cast<unsigned>(k % 3)),
                  t = topology_.twin(s);
     const std::string name = topology_.name(s);
     if (piece_of(s) != piece_of(t)) return name + " and its twin belong to different pieces";
@@ -87,7 +87,7 @@ std::optional<std::string> ConstrainedTriangulation::validate() const {
       if (!(known.from == a && known.to == b) && !(known.from == b && known.to == a))
         return name + " does not join the ends of its piece";
     }
-    const TriangleId here = topology_.triangle(s), behind = topology_.triangle(t);
+    const AnyTriangleId here = topology_.triangle(s), behind = topology_.triangle(t);
     if (topology_.is_ghost(here)) continue;
     const Point2 a = point(topology_.corner(here, 0)), b = point(topology_.corner(here, 1)),
                  c = point(topology_.corner(here, 2));

@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "leonhard/delaunay/input_segments.hpp"
 #include "leonhard/delaunay/topology/cavity.hpp"
 #include "leonhard/delaunay/topology/ghost_triangulation.hpp"
 #include "leonhard/kernel/point.hpp"
@@ -19,12 +19,10 @@ namespace leonhard::delaunay {
 
 /// A part of an input segment that is an edge of the triangulation.
 struct Piece {
-  static constexpr std::size_t no_segment = std::numeric_limits<std::size_t>::max();
-
   VertexId from, to;
-  SideId side;                       ///< one of its two sides
-  Marker marker{};                   ///< 0: none
-  std::size_t segment = no_segment;  ///< the input segment; none for an edge of the convex hull
+  SideId side;                 ///< one of its two sides
+  Marker marker{};             ///< 0: none
+  MaybeId<SegmentId> segment;  ///< the input segment; none for an edge of the convex hull
 };
 using PieceId = Id<struct PieceTag>;
 
@@ -51,7 +49,7 @@ class ConstrainedTriangulation {
     return VertexId::from(points_.size() - 1);
   }
   /// Make the edge of side s a piece.
-  PieceId add_piece(SideId s, Marker marker, std::size_t segment);
+  PieceId add_piece(SideId s, Marker marker, MaybeId<SegmentId> segment);
   void set_marker(PieceId p, Marker marker) { pieces_[p].marker = marker; }
 
   /// Replace an unconstrained edge between two real triangles by the other diagonal.

@@ -29,7 +29,7 @@ std::vector<bool> used_vertices(const ConstrainedTriangulation& cells) {
   std::vector<bool> used(cells.points().size(), false);
   const GhostTriangulation& topology = cells.topology();
   for (std::size_t i = 0; i < topology.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     if (topology.is_ghost(t)) continue;
     for (unsigned k = 0; k < 3; ++k) used[topology.corner(t, k).index()] = true;
   }
@@ -70,27 +70,28 @@ std::vector<MaybeId<VertexId>> mesh_numbers(const Domain& domain) {
 void copy_triangles(const ConstrainedTriangulation& cells, const Pslg& pslg,
                     const std::vector<MaybeId<VertexId>>& number, TriangleMesh& mesh) {
   const GhostTriangulation& topology = cells.topology();
-  std::vector<MaybeId<TriangleId>> new_of_old(topology.triangle_count());
+  PerId<AnyTriangleId, MaybeId<TriangleId>> new_of_old(topology.triangle_count());
   std::size_t count = 0;
-  for (std::size_t i = 0; i < new_of_old.size(); ++i)
-    if (!topology.is_ghost(TriangleId::from(i))) new_of_old[i] = TriangleId::from(count++);
+  for (const AnyTriangleId t : new_of_old.ids())
+    if (!topology.is_ghost(t)) new_of_old[t] = TriangleId::from(count++);
   mesh.corners.resize(count);
   mesh.neighbours.resize(count);
   mesh.regions.resize(count);
-  for (std::size_t i = 0; i < new_of_old.size(); ++i) {
-    if (!new_of_old[i]) continue;
-    const TriangleId t = TriangleId::from(i), u = *new_of_old[i];
+  for (const AnyTriangleId t : new_of_old.ids()) {
+    if (!new_of_old[t]) continue;
+    const TriangleId u = *new_of_old[t];
     for (unsigned k = 0; k < 3; ++k) {
       mesh.corners[u][k] = *number[topology.corner(t, k).index()];
-      mesh.neighbours[u][k] = new_of_old[topology.triangle(topology.twin(topology.side(t, k))).index()];
+      mesh.neighbours[u][k] = new_of_old[topology.triangle(topology.twin(topology.side(t, k)))];
     }
-    if (!cells.region_of().empty() && cells.region_of()[i] != 0)
-      mesh.regions[u] = pslg.regions[cells.region_of()[i] - 1].attribute;
+    if (!cells.region_of().empty() && cells.region_of()[t.index()] != 0)
+      mesh.regions[u] = pslg.regions[cells.region_of()[t.index()] - 1].attribute;
   }
 }
 
 /// Boundary and constraints in the order of the pieces. Vertices added on a segment take its marker.
-void copy_edges(const Domain& domain, const std::vector<MaybeId<VertexId>>& number, TriangleMesh& mesh) {
+void copy_edges(const Domain& domain, const std::vector<MaybeId<VertexId>>& number, TriangleMesh& mesh,
+                InputSegments& segments) {
   const GhostTriangulation& topology = domain.cells.topology();
   const auto is_ghost = [&](SideId s) { return topology.is_ghost(topology.triangle(s)); };
   for (const Piece& piece : domain.cells.pieces()) {
@@ -98,7 +99,9 @@ void copy_edges(const Domain& domain, const std::vector<MaybeId<VertexId>>& numb
     if (is_ghost(s)) s = topology.twin(s);
     const VertexId from = topology.origin(s), to = topology.destination(s);
     const MarkedEdge edge{*number[from.index()], *number[to.index()], piece.marker};
-    (is_ghost(topology.twin(s)) ? mesh.boundary : mesh.constraints).push_back(edge);
+    const bool on_boundary = is_ghost(topology.twin(s));
+    (on_boundary ? mesh.boundary : mesh.constraints).push_back(edge);
+    (on_boundary ? segments.boundary : segments.constraints).push_back(piece.segment);
     for (const VertexId v : {from, to})
       if (v.index() >= domain.sorted.first_input.size())
         mesh.vertex_markers[*number[v.index()]] = piece.marker;
@@ -201,8 +204,8 @@ Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Algorithm algorithm,
   return domain;
 }
 
-TriangleMesh to_mesh(const Domain& domain, const Pslg& pslg,
-                     std::vector<MaybeId<VertexId>>& vertex_of_input) {
+TriangleMesh to_mesh(const Domain& domain, const Pslg& pslg, std::vector<MaybeId<VertexId>>& vertex_of_input,
+                     InputSegments& segments) {
   const ConstrainedTriangulation& cells = domain.cells;
   const std::vector<MaybeId<VertexId>> number = mesh_numbers(domain);
   vertex_of_input.assign(pslg.points.size(), {});
@@ -217,7 +220,7 @@ TriangleMesh to_mesh(const Domain& domain, const Pslg& pslg,
   for (std::size_t v = 0; v < number.size(); ++v)
     if (number[v]) mesh.points[*number[v]] = cells.points()[v];
   copy_triangles(cells, pslg, number, mesh);
-  copy_edges(domain, number, mesh);
+  copy_edges(domain, number, mesh, segments);
   set_point_markers(pslg, vertex_of_input, mesh);
   mesh.marker_names = pslg.marker_names;
   return mesh;

@@ -42,7 +42,8 @@ void set_point_markers(const Pslg& pslg, const std::vector<MaybeId<VertexId>>& v
 /// added since; points without a triangle are left out.
 ///
 /// vertex_of_input  filled, one an input point
+/// segments         filled, one a marked edge
 [[nodiscard]] TriangleMesh to_mesh(const Domain& domain, const Pslg& pslg,
-                                   std::vector<MaybeId<VertexId>>& vertex_of_input);
+                                   std::vector<MaybeId<VertexId>>& vertex_of_input, InputSegments& segments);
 
 }  // namespace leonhard::delaunay

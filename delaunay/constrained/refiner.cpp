@@ -59,7 +59,7 @@ Refiner::Refiner(ConstrainedTriangulation& cells, const RefineOptions& options,
   std::vector<bool> used(cells.points().size(), false);
   for (std::size_t i = 0; i < topology_.triangle_count(); ++i)
     for (unsigned k = 0; k < 3; ++k)
-      if (const VertexId v = topology_.corner(TriangleId::from(i), k); v != GhostTriangulation::ghost)
+      if (const VertexId v = topology_.corner(AnyTriangleId::from(i), k); v != GhostTriangulation::ghost)
         used[v.index()] = true;
   vertex_count_ = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
 }
@@ -96,12 +96,12 @@ void Refiner::run(RefineReport& report) {
 
 // ---- queues ----
 
-Corners Refiner::corners_of(TriangleId t) const {
+Corners Refiner::corners_of(AnyTriangleId t) const {
   return canonical(cells_.point(topology_.corner(t, 0)), cells_.point(topology_.corner(t, 1)),
                    cells_.point(topology_.corner(t, 2)));
 }
 
-double Refiner::region_area(TriangleId t) const {
+double Refiner::region_area(AnyTriangleId t) const {
   if (cells_.region_of().empty()) return -1;
   const std::uint32_t region = cells_.region_of()[t.index()];
   return region == 0 ? -1 : region_areas_[region - 1];
@@ -110,10 +110,10 @@ double Refiner::region_area(TriangleId t) const {
 void Refiner::enqueue_all() {
   for (const PieceId p : cells_.pieces().ids()) enqueue_if_needed(p);
   for (std::size_t i = 0; i < topology_.triangle_count(); ++i)
-    if (!topology_.is_ghost(TriangleId::from(i))) enqueue(TriangleId::from(i));
+    if (!topology_.is_ghost(AnyTriangleId::from(i))) enqueue(AnyTriangleId::from(i));
 }
 
-void Refiner::enqueue(TriangleId t) {
+void Refiner::enqueue(AnyTriangleId t) {
   const Corners corners = corners_of(t);
   const Shape shape = shape_of(corners);
   const TriangleBounds::Miss miss = bounds_.miss(corners, shape, region_area(t));
@@ -178,7 +178,7 @@ Refiner::Excuse Refiner::try_to_remove(const TriangleTask& task) {
     site.kind == Site::Kind::on_side ? cavity_.start(topology_, site.side)
                                      : cavity_.start(topology_, topology_.triangle(site.side));
     grow_cavity(p);
-    const std::vector<TriangleId>& destroyed = cavity_.triangles();
+    const std::vector<AnyTriangleId>& destroyed = cavity_.triangles();
     if (std::find(destroyed.begin(), destroyed.end(), task.triangle) == destroyed.end())
       return Excuse::rounding;
     if (too_close(p)) return Excuse::min_edge;
@@ -208,7 +208,7 @@ Refiner::Excuse Refiner::try_to_remove(const TriangleTask& task) {
 
 /// Whether the shortest edge joins two segments that meet at a small angle, at equal distance from where they
 /// meet: then splitting would only make it shorter (Miller, Pav and Walkington 2003).
-bool Refiner::spans_equal_shells(TriangleId t, const Corners& corners, const Shape& shape) const {
+bool Refiner::spans_equal_shells(AnyTriangleId t, const Corners& corners, const Shape& shape) const {
   const auto vertex = [&](unsigned i) {
     return topology_.corner(t, (corners.first + shape.shortest + i) % 3);
   };
@@ -242,11 +242,11 @@ double Refiner::reach(const Corners& t, const Shape& shape, const TriangleBounds
 
 /// Walk towards p. Crossing an edge that is locally Delaunay brings the circle nearer to p (its power falls), so the
 /// walk ends; where p lies beyond two sides, coordinates decide, not numbers.
-Refiner::Site Refiner::find_site(TriangleId from, Point2 p) const {
+Refiner::Site Refiner::find_site(AnyTriangleId from, Point2 p) const {
   const auto side_of_p = [&](SideId s) {
     return kernel::orient2d(cells_.point(topology_.origin(s)), cells_.point(topology_.destination(s)), p);
   };
-  TriangleId t = from;
+  AnyTriangleId t = from;
   while (true) {
     MaybeId<SideId> open, closed, through;
     std::size_t zeros = 0;
@@ -281,7 +281,7 @@ bool Refiner::lexicographically_first(SideId s, SideId t) const {
 void Refiner::grow_cavity(Point2 p) {
   cavity_.grow(topology_, [&](SideId inner) {
     if (cells_.is_constrained(inner)) return false;
-    const TriangleId behind = topology_.triangle(topology_.twin(inner));
+    const AnyTriangleId behind = topology_.triangle(topology_.twin(inner));
     if (topology_.is_ghost(behind)) return false;
     return kernel::incircle_perturbed(cells_.point(topology_.corner(behind, 0)),
                                       cells_.point(topology_.corner(behind, 1)),
@@ -365,7 +365,7 @@ bool Refiner::can_split_at(const Piece& piece, Point2 m) const {
 /// Queue what the fan about the new vertex v made necessary.
 void Refiner::enqueue_fan(VertexId v) {
   triangle_excuse_.resize(topology_.triangle_count());
-  for (const TriangleId t : cavity_.triangles()) {
+  for (const AnyTriangleId t : cavity_.triangles()) {
     triangle_excuse_[t.index()] = Excuse::none;
     if (!topology_.is_ghost(t)) enqueue(t);
   }
@@ -381,7 +381,7 @@ void Refiner::account(RefineReport& report) const {
   report.rounded_splits = rounded_splits_;
   report.min_angle_deg = 180;
   for (std::size_t i = 0; i < topology_.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     if (topology_.is_ghost(t)) continue;
     const Corners corners = corners_of(t);
     const TriangleQuality quality = mesh::triangle_quality(corners.at[0], corners.at[1], corners.at[2]);

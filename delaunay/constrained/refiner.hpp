@@ -10,7 +10,7 @@
 #include "leonhard/delaunay/constrained/constrained_triangulation.hpp"
 #include "leonhard/delaunay/constrained/input_angles.hpp"
 #include "leonhard/delaunay/plane/triangle_bounds.hpp"
-#include "leonhard/delaunay/refine.hpp"
+#include "leonhard/delaunay/refine_options.hpp"
 #include "leonhard/delaunay/topology/cavity.hpp"
 
 namespace leonhard::delaunay {
@@ -43,7 +43,7 @@ class Refiner {
   struct TriangleTask {
     double shortest2;  // squared length of its shortest edge
     TriangleBounds::Miss miss;
-    TriangleId triangle;
+    AnyTriangleId triangle;
     std::array<VertexId, 3> corners;  // still its corners, or the task is out of date
   };
   struct TriangleTaskOrder {
@@ -60,12 +60,12 @@ class Refiner {
     VertexId from, to;
   };
 
-  [[nodiscard]] Corners corners_of(TriangleId t) const;
-  [[nodiscard]] double region_area(TriangleId t) const;
+  [[nodiscard]] Corners corners_of(AnyTriangleId t) const;
+  [[nodiscard]] double region_area(AnyTriangleId t) const;
   [[nodiscard]] bool is_real(SideId s) const { return !topology_.is_ghost(topology_.triangle(s)); }
 
   void enqueue_all();
-  void enqueue(TriangleId t);
+  void enqueue(AnyTriangleId t);
   void enqueue(PieceId p);
   void enqueue_if_needed(PieceId p);
   [[nodiscard]] bool encroaches(Point2 v, const Piece& piece) const;
@@ -73,9 +73,9 @@ class Refiner {
 
   void treat(const TriangleTask& task);
   [[nodiscard]] Excuse try_to_remove(const TriangleTask& task);
-  [[nodiscard]] bool spans_equal_shells(TriangleId t, const Corners& corners, const Shape& shape) const;
+  [[nodiscard]] bool spans_equal_shells(AnyTriangleId t, const Corners& corners, const Shape& shape) const;
   [[nodiscard]] double reach(const Corners& t, const Shape& shape, const TriangleBounds::Miss& miss) const;
-  [[nodiscard]] Site find_site(TriangleId from, Point2 p) const;
+  [[nodiscard]] Site find_site(AnyTriangleId from, Point2 p) const;
   [[nodiscard]] bool lexicographically_first(SideId s, SideId t) const;
   void grow_cavity(Point2 p);
   [[nodiscard]] bool too_close(Point2 p) const;

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/order/insertion_order.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 
 namespace leonhard::delaunay {
 

@@ -164,7 +164,7 @@ GhostTriangulation BowyerDiagram::triangulation() const {
       const VoronoiVertexId w = vertices_[v].neighbours[i];
       if (w < v) continue;
       const unsigned back = index_of(vertices_[w].neighbours, v);
-      dual.link(dual.side(TriangleId{v.raw}, i), dual.side(TriangleId{w.raw}, back));
+      dual.link(dual.side(AnyTriangleId{v.raw}, i), dual.side(AnyTriangleId{w.raw}, back));
     }
   return dual;
 }

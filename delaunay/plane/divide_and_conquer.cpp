@@ -177,7 +177,7 @@ void renumber(GhostTriangulation& in, const std::vector<std::uint32_t>& order) {
     return v == GhostTriangulation::ghost ? v : VertexId{order[v.index()]};
   };
   for (std::size_t i = 0; i < in.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     in.set_corners(t, number(in.corner(t, 0)), number(in.corner(t, 1)), number(in.corner(t, 2)));
   }
 }

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "leonhard/delaunay/algorithm.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 
 namespace leonhard::delaunay {
 

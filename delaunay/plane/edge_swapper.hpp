@@ -49,7 +49,7 @@ class EdgeSwapper {
   }
   void suspect_all() {
     for (std::size_t t = in_.triangle_count(); t-- > 0;)
-      for (unsigned i = 3; i-- > 0;) suspect(in_.side(TriangleId::from(t), i));
+      for (unsigned i = 3; i-- > 0;) suspect(in_.side(AnyTriangleId::from(t), i));
   }
 
   [[nodiscard]] std::size_t suspect_count() const { return suspects_.size(); }

@@ -72,7 +72,7 @@ class CutTree {
 
 bool has_real_triangle(const GhostTriangulation& in) {
   for (std::size_t t = 0; t < in.triangle_count(); ++t)
-    if (!in.is_ghost(TriangleId::from(t))) return true;
+    if (!in.is_ghost(AnyTriangleId::from(t))) return true;
   return false;
 }
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/order/cut_order.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 
 namespace leonhard::delaunay {
 

@@ -27,12 +27,12 @@ class GreenSibson {
   }
 
  private:
-  static TriangleId real_neighbour(const GhostTriangulation& in, TriangleId ghost) {
+  static AnyTriangleId real_neighbour(const GhostTriangulation& in, AnyTriangleId ghost) {
     return in.triangle(in.twin(in.side(ghost, 0)));
   }
 
   std::span<const Point2> points_;
-  TriangleId last_{0};  // where the next walk starts: real
+  AnyTriangleId last_{0};  // where the next walk starts: real
   SwapInsertion insertion_;
   Coin coin_;
 };

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/order/insert_in_order.hpp"
+#include "leonhard/delaunay/point_triangulation.hpp"
 
 namespace leonhard::delaunay {
 

@@ -37,22 +37,22 @@ class Bubble {
   void sink();
   void put_bottom();
   void rise();
-  [[nodiscard]] TriangleId put_top();
+  [[nodiscard]] AnyTriangleId put_top();
 
  private:
   static constexpr VertexId ghost = GhostTriangulation::ghost;
 
   [[nodiscard]] Point2 at(VertexId v) const { return points_[v.index()]; }
-  [[nodiscard]] TriangleId over(TriangleId t, unsigned side) const {
+  [[nodiscard]] AnyTriangleId over(AnyTriangleId t, unsigned side) const {
     return in_.triangle(in_.twin(in_.side(t, side)));
   }
-  [[nodiscard]] TriangleId hull_before(TriangleId g) const { return over(g, 1); }
-  [[nodiscard]] TriangleId hull_after(TriangleId g) const { return over(g, 2); }
+  [[nodiscard]] AnyTriangleId hull_before(AnyTriangleId g) const { return over(g, 1); }
+  [[nodiscard]] AnyTriangleId hull_after(AnyTriangleId g) const { return over(g, 2); }
   [[nodiscard]] bool is_below(VertexId v) const {
     return kernel::orient2d(at(l_), at(r_), at(v)) == Sign::negative;
   }
   template <class Better>
-  [[nodiscard]] TriangleId extreme(TriangleId g, const Better& better) const;
+  [[nodiscard]] AnyTriangleId extreme(AnyTriangleId g, const Better& better) const;
   [[nodiscard]] VertexId behind(SideId hull_edge) const;
   void drop_left_edge(SideId behind);
   void drop_right_edge(SideId behind);
@@ -61,22 +61,23 @@ class Bubble {
   std::span<const Point2> points_;
   GhostTriangulation& in_;
   bool left_is_point_, right_is_point_;
-  TriangleId bottom_, top_;  // the ghosts below the lowest and above the highest edge between the parts
-  VertexId l_, r_;           // the base edge
-  TriangleId left_ghost_;    // its v is l, its u the left candidate; bottom_ if there is none
-  TriangleId right_ghost_;   // its u is r, its v the right candidate; bottom_ if there is none
-  SideId base_{};            // the base edge's side in the triangle below it
+  AnyTriangleId bottom_, top_;  // the ghosts below the lowest and above the highest edge between the parts
+  VertexId l_, r_;              // the base edge
+  AnyTriangleId left_ghost_;    // its v is l, its u the left candidate; bottom_ if there is none
+  AnyTriangleId right_ghost_;   // its u is r, its v the right candidate; bottom_ if there is none
+  SideId base_{};               // the base edge's side in the triangle below it
 };
 
 /// The ghost whose v is the best vertex of the hull; coordinates along a convex hull rise once and fall once.
 template <class Better>
-TriangleId Bubble::extreme(TriangleId g, const Better& better) const {
-  const auto start = [&](TriangleId t) { return in_.corner(t, 2); };
-  const TriangleId from = g;
-  for (TriangleId next = hull_before(g); better(at(start(next)), at(start(g))); next = hull_before(g))
+AnyTriangleId Bubble::extreme(AnyTriangleId g, const Better& better) const {
+  const auto start = [&](AnyTriangleId t) { return in_.corner(t, 2); };
+  const AnyTriangleId from = g;
+  for (AnyTriangleId next = hull_before(g); better(at(start(next)), at(start(g))); next = hull_before(g))
     g = next;
   if (g != from) return g;
-  for (TriangleId next = hull_after(g); better(at(start(next)), at(start(g))); next = hull_after(g)) g = next;
+  for (AnyTriangleId next = hull_after(g); better(at(start(next)), at(start(g))); next = hull_after(g))
+    g = next;
   return g;
 }
 
@@ -127,7 +128,7 @@ VertexId Bubble::behind(SideId hull_edge) const {
 
 /// Remove the hull edge from l to the left candidate: flip it with its ghost. Two ghosts stay, about the vertex behind.
 void Bubble::drop_left_edge(SideId behind) {
-  const TriangleId g = left_ghost_, t = in_.triangle(behind);
+  const AnyTriangleId g = left_ghost_, t = in_.triangle(behind);
   const VertexId candidate = in_.corner(g, 1), x = in_.apex(behind);
   const SideId beyond_l = in_.twin(in_.previous(behind)), beyond_candidate = in_.twin(in_.next(behind)),
                after = in_.twin(in_.side(g, 2));
@@ -140,7 +141,7 @@ void Bubble::drop_left_edge(SideId behind) {
 }
 
 void Bubble::drop_right_edge(SideId behind) {
-  const TriangleId g = right_ghost_, t = in_.triangle(behind);
+  const AnyTriangleId g = right_ghost_, t = in_.triangle(behind);
   const VertexId candidate = in_.corner(g, 2), x = in_.apex(behind);
   const SideId beyond_r = in_.twin(in_.next(behind)), beyond_candidate = in_.twin(in_.previous(behind)),
                before = in_.twin(in_.side(g, 1));
@@ -155,9 +156,9 @@ void Bubble::drop_right_edge(SideId behind) {
 /// The ghost of the edge chosen becomes the triangle above the base edge, its upper side the new base edge. Written
 /// without branches, because which side is next is as good as random.
 void Bubble::step(bool to_the_right) {
-  const TriangleId t = to_the_right ? right_ghost_ : left_ghost_;
+  const AnyTriangleId t = to_the_right ? right_ghost_ : left_ghost_;
   const unsigned lower = to_the_right ? 2 : 1, upper = 3 - lower;
-  const TriangleId next = over(t, upper);
+  const AnyTriangleId next = over(t, upper);
   const VertexId left_candidate = in_.corner(left_ghost_, 1), right_candidate = in_.corner(right_ghost_, 2);
   in_.set_corner(t, 0, to_the_right ? l_ : r_);
   in_.link(in_.side(t, lower), base_);
@@ -195,7 +196,7 @@ void Bubble::rise() {
 }
 
 /// The ghost above the upper common tangent, which is the base edge now.
-TriangleId Bubble::put_top() {
+AnyTriangleId Bubble::put_top() {
   in_.set_corners(top_, ghost, l_, r_);
   in_.link(in_.side(top_, 0), base_);
   in_.link(in_.side(top_, 2), in_.side(left_ghost_, 1));
@@ -215,7 +216,7 @@ Part merge_by(std::span<const Point2> points, GhostTriangulation& in, const Part
 
 /// Two points: two ghosts, back to back.
 Part edge(GhostTriangulation& in, std::uint32_t first) {
-  const TriangleId below{2 * first}, above{2 * first + 1};
+  const AnyTriangleId below{2 * first}, above{2 * first + 1};
   const VertexId a{first}, b{first + 1};
   in.set_corners(below, GhostTriangulation::ghost, b, a);
   in.set_corners(above, GhostTriangulation::ghost, a, b);
@@ -229,8 +230,8 @@ Part edge(GhostTriangulation& in, std::uint32_t first) {
 Part triangle(GhostTriangulation& in, std::uint32_t first, Sign turn) {
   const VertexId a{first}, b{first + (turn == Sign::positive ? 1U : 2U)},
       c{first + (turn == Sign::positive ? 2U : 1U)};
-  in.set_first_triangle(TriangleId{2 * first}, a, b, c);
-  return {first, first + 3, TriangleId{2 * first + 1}};
+  in.set_first_triangle(AnyTriangleId{2 * first}, a, b, c);
+  return {first, first + 3, AnyTriangleId{2 * first + 1}};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace leonhard::delaunay {
 /// the cuts alone.
 struct Part {
   std::uint32_t first{}, last{};  ///< points first, ..., last - 1
-  TriangleId hull{};              ///< one of its ghost triangles, if it has any
+  AnyTriangleId hull{};           ///< one of its ghost triangles, if it has any
 
   [[nodiscard]] std::uint32_t point_count() const { return last - first; }
   [[nodiscard]] static Part single(std::uint32_t point) { return {point, point + 1, {}}; }

@@ -43,30 +43,30 @@ std::vector<Point2> vertex_points(std::vector<Point2> input, const std::vector<M
 }
 
 /// One a triangle: its number among the real ones, none for a ghost.
-std::vector<MaybeId<TriangleId>> real_numbers(const GhostTriangulation& cells) {
-  auto number = large_vector<MaybeId<TriangleId>>(cells.triangle_count());
+PerId<AnyTriangleId, MaybeId<TriangleId>> real_numbers(const GhostTriangulation& cells) {
+  PerId<AnyTriangleId, MaybeId<TriangleId>> number(large_vector<MaybeId<TriangleId>>(cells.triangle_count()));
   std::size_t count = 0;
-  for (std::size_t t = 0; t < number.size(); ++t)
-    if (!cells.is_ghost(TriangleId::from(t))) number[t] = TriangleId::from(count++);
+  for (const AnyTriangleId t : number.ids())
+    if (!cells.is_ghost(t)) number[t] = TriangleId::from(count++);
   return number;
 }
 
 std::vector<MarkedEdge> hull_edges(const GhostTriangulation& cells,
                                    std::span<const std::uint32_t> vertex_number) {
-  const auto vertex = [&](TriangleId g, unsigned i) {
+  const auto vertex = [&](AnyTriangleId g, unsigned i) {
     return VertexId{vertex_number[cells.corner(g, i).index()]};
   };
-  MaybeId<TriangleId> first;
+  MaybeId<AnyTriangleId> first;
   std::size_t count = 0;
   for (std::size_t i = 0; i < cells.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     if (!cells.is_ghost(t)) continue;
     ++count;
     if (!first || vertex(t, 2) < vertex(*first, 2)) first = t;
   }
   std::vector<MarkedEdge> boundary;
   boundary.reserve(count);
-  for (TriangleId g = *first; boundary.size() < count; g = cells.triangle(cells.twin(cells.side(g, 2))))
+  for (AnyTriangleId g = *first; boundary.size() < count; g = cells.triangle(cells.twin(cells.side(g, 2))))
     boundary.push_back({vertex(g, 2), vertex(g, 1), 1});
   return boundary;
 }
@@ -76,12 +76,12 @@ PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours_of(const GhostT
                                                                     std::size_t count, unsigned threads) {
   PerId<TriangleId, std::array<MaybeId<TriangleId>, 3>> neighbours(
       large_vector<std::array<MaybeId<TriangleId>, 3>>(count));
-  const std::vector<MaybeId<TriangleId>> number = real_numbers(cells);
-  parallel_for_indices(0, number.size(), threads, [&](std::size_t t) {
-    for (unsigned i = 0; number[t] && i < 3; ++i) {
-      const SideId behind = cells.twin(cells.side(TriangleId::from(t), i));
-      neighbours[*number[t]][i] = number[cells.triangle(behind).index()];
-    }
+  const PerId<AnyTriangleId, MaybeId<TriangleId>> number = real_numbers(cells);
+  parallel_for_indices(0, number.size(), threads, [&](std::size_t i) {
+    const AnyTriangleId t = AnyTriangleId::from(i);
+    if (!number[t]) return;
+    for (unsigned k = 0; k < 3; ++k)
+      neighbours[*number[t]][k] = number[cells.triangle(cells.twin(cells.side(t, k)))];
   });
   return neighbours;
 }

@@ -169,7 +169,7 @@ class BendCosts {
     return {normal(triangles[0]), normal(triangles[1])};
   }
   [[nodiscard]] std::optional<Vec3> normal_beyond(const GhostTriangulation& in, SideId s) const {
-    const TriangleId t = in.triangle(in.twin(s));
+    const AnyTriangleId t = in.triangle(in.twin(s));
     if (in.is_ghost(t)) return std::nullopt;
     return normal({in.corner(t, 0), in.corner(t, 1), in.corner(t, 2)});
   }

@@ -14,7 +14,7 @@ namespace leonhard::delaunay {
 
 /// Keeps no history of an insertion: see SwapInsertion.
 struct NoHistory {
-  void replaced(const GhostTriangulation&, std::span<const TriangleId>, std::span<const TriangleId>) {}
+  void replaced(const GhostTriangulation&, std::span<const AnyTriangleId>, std::span<const AnyTriangleId>) {}
 };
 
 /// One insertion after another by Green and Sibson's method (Computer Journal 21, 1978; Barth's notes 3.3b):
@@ -59,7 +59,7 @@ class SwapInsertion {
     SideId opposite, towards, away;
   };
 
-  Spoke place(GhostTriangulation& in, TriangleId t, VertexId a, VertexId b) const {
+  Spoke place(GhostTriangulation& in, AnyTriangleId t, VertexId a, VertexId b) const {
     constexpr VertexId ghost = GhostTriangulation::ghost;
     const unsigned corner = a == ghost ? 2 : b == ghost ? 1 : 0;  // of the site; the ghost has to be corner 0
     if (corner == 0)
@@ -73,10 +73,10 @@ class SwapInsertion {
   }
 
   template <class History>
-  std::size_t connect_to_three(GhostTriangulation& in, TriangleId t, History& history) {
+  std::size_t connect_to_three(GhostTriangulation& in, AnyTriangleId t, History& history) {
     const std::array<VertexId, 3> corner{in.corner(t, 0), in.corner(t, 1), in.corner(t, 2)};
     const std::array<SideId, 3> outer{in.twin(in.side(t, 0)), in.twin(in.side(t, 1)), in.twin(in.side(t, 2))};
-    const std::array<TriangleId, 3> news{t, in.add(site_, site_, site_), in.add(site_, site_, site_)};
+    const std::array<AnyTriangleId, 3> news{t, in.add(site_, site_, site_), in.add(site_, site_, site_)};
     std::array<Spoke, 3> spokes;
     for (unsigned i = 0; i < 3; ++i) spokes[i] = place(in, news[i], corner[(i + 1) % 3], corner[(i + 2) % 3]);
     for (unsigned i = 0; i < 3; ++i) close(in, spokes[i], outer[i], spokes[(i + 1) % 3]);
@@ -87,11 +87,11 @@ class SwapInsertion {
   template <class History>
   std::size_t connect_to_four(GhostTriangulation& in, SideId edge, History& history) {
     const SideId twin = in.twin(edge);
-    const TriangleId t = in.triangle(edge), u = in.triangle(twin);
+    const AnyTriangleId t = in.triangle(edge), u = in.triangle(twin);
     const std::array<VertexId, 4> corner{in.destination(edge), in.apex(edge), in.origin(edge), in.apex(twin)};
     const std::array<SideId, 4> outer{in.twin(in.next(edge)), in.twin(in.previous(edge)),
                                       in.twin(in.next(twin)), in.twin(in.previous(twin))};
-    const std::array<TriangleId, 4> news{t, in.add(site_, site_, site_), u, in.add(site_, site_, site_)};
+    const std::array<AnyTriangleId, 4> news{t, in.add(site_, site_, site_), u, in.add(site_, site_, site_)};
     std::array<Spoke, 4> spokes;
     for (unsigned i = 0; i < 4; ++i) spokes[i] = place(in, news[i], corner[i], corner[(i + 1) % 4]);
     for (unsigned i = 0; i < 4; ++i) close(in, spokes[i], outer[i], spokes[(i + 1) % 4]);

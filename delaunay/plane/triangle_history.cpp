@@ -14,28 +14,28 @@ void TriangleHistory::reserve(std::size_t points) {
 
 void TriangleHistory::start(const GhostTriangulation& in) {
   assert(nodes_.empty() && in.triangle_count() == 4);
-  for (IdRaw t = 0; t < 4; ++t) add_node(in, TriangleId{t});
+  for (IdRaw t = 0; t < 4; ++t) add_node(in, AnyTriangleId{t});
 }
 
-void TriangleHistory::add_node(const GhostTriangulation& in, TriangleId t) {
+void TriangleHistory::add_node(const GhostTriangulation& in, AnyTriangleId t) {
   if (!node_of_.contains(t)) node_of_.resize(t.index() + 1);
   node_of_[t] = nodes_.push_back({{in.corner(t, 0), in.corner(t, 1), in.corner(t, 2)}, t.raw, 0});
 }
 
-void TriangleHistory::replaced(const GhostTriangulation& in, std::span<const TriangleId> olds,
-                               std::span<const TriangleId> news) {
-  for (const TriangleId t : olds) {
+void TriangleHistory::replaced(const GhostTriangulation& in, std::span<const AnyTriangleId> olds,
+                               std::span<const AnyTriangleId> news) {
+  for (const AnyTriangleId t : olds) {
     Node& node = nodes_[node_of_[t]];
     node.first_child = HistoryNodeId::from(nodes_.size()).raw;
     node.child_count = static_cast<IdRaw>(news.size());
   }
-  for (const TriangleId t : news) add_node(in, t);
+  for (const AnyTriangleId t : news) add_node(in, t);
 }
 
-TriangleId TriangleHistory::find(std::span<const Point2> points, Point2 p) const {
+AnyTriangleId TriangleHistory::find(std::span<const Point2> points, Point2 p) const {
   HistoryNodeId n = holder(HistoryNodeId{0}, 4, points, p);
   while (nodes_[n].child_count > 0) n = holder(child(n, 0), nodes_[n].child_count, points, p);
-  return TriangleId{nodes_[n].first_child};
+  return AnyTriangleId{nodes_[n].first_child};
 }
 
 /// Of consecutive nodes, one of which holds p, one that does.

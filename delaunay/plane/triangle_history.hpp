@@ -31,12 +31,12 @@ class TriangleHistory {
   void reserve(std::size_t points);
 
   /// Triangles `olds` gave way to `news`; a hook of SwapInsertion.
-  void replaced(const GhostTriangulation& in, std::span<const TriangleId> olds,
-                std::span<const TriangleId> news);
+  void replaced(const GhostTriangulation& in, std::span<const AnyTriangleId> olds,
+                std::span<const AnyTriangleId> news);
 
   /// The triangle of today's triangulation that holds p: real if p lies in one, on its border perhaps; else a
   /// ghost triangle, p strictly outside its edge.
-  [[nodiscard]] TriangleId find(std::span<const Point2> points, Point2 p) const;
+  [[nodiscard]] AnyTriangleId find(std::span<const Point2> points, Point2 p) const;
 
   /// The first triangle is node 0, its ghosts are nodes 1 to 3; children come after their parents.
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
@@ -55,14 +55,14 @@ class TriangleHistory {
     IdRaw child_count;
   };
 
-  void add_node(const GhostTriangulation& in, TriangleId t);
+  void add_node(const GhostTriangulation& in, AnyTriangleId t);
   [[nodiscard]] bool holds(HistoryNodeId n, std::span<const Point2> points, Point2 p) const;
   [[nodiscard]] bool left_of_ray(VertexId through, std::span<const Point2> points, Point2 p) const;
   [[nodiscard]] HistoryNodeId holder(HistoryNodeId first, std::size_t count, std::span<const Point2> points,
                                      Point2 p) const;
 
   PerId<HistoryNodeId, Node> nodes_;
-  PerId<TriangleId, HistoryNodeId> node_of_;
+  PerId<AnyTriangleId, HistoryNodeId> node_of_;
 };
 
 }  // namespace leonhard::delaunay

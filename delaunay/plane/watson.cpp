@@ -31,14 +31,14 @@ class Watson {
   }
 
  private:
-  static TriangleId real_one(const GhostTriangulation& in, const std::vector<TriangleId>& fan) {
+  static AnyTriangleId real_one(const GhostTriangulation& in, const std::vector<AnyTriangleId>& fan) {
     std::size_t i = 0;
     while (in.is_ghost(fan[i])) ++i;
     return fan[i];
   }
 
   std::span<const Point2> points_;
-  TriangleId last_{0};  // where the next walk starts: real
+  AnyTriangleId last_{0};  // where the next walk starts: real
   Cavity cavity_;
   Coin coin_;
 };

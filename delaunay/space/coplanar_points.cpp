@@ -3,11 +3,18 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <vector>
 
 #include "leonhard/kernel/predicates3.hpp"
 
 namespace leonhard::delaunay {
+
+/// As in CollinearPoints: the foot lies beyond a if the angle at a, between the ray to the last point and that to the
+/// foot's origin, is acute.
+bool CoplanarPoints::Order::operator()(const Point3& a, const Foot& foot) const {
+  return a != foot.last && kernel::angle(foot.of, a, foot.last) == Sign::positive;
+}
 
 bool CoplanarPoints::spans(const Point3& p) const {
   std::array<Point3, 4> with = basis_points_;
@@ -22,18 +29,26 @@ MaybeId<VertexId> CoplanarPoints::find(const Point3& p) const {
 }
 
 MaybeId<VertexId> CoplanarPoints::nearest(const Point3& p) const {
+  if (empty()) return {};
+  if (extent() != Extent::plane) {
+    const auto beyond = vertices_.lower_bound(Foot{p, vertices_.rbegin()->first});  // never end()
+    if (beyond == vertices_.begin()) return beyond->second;
+    const auto before = std::prev(beyond);
+    const bool take_before = kernel::compare_distance(p, before->first, beyond->first) != Sign::positive;
+    return (take_before ? before : beyond)->second;
+  }
   auto best = vertices_.begin();
   for (auto other = best; other != vertices_.end(); ++other)
     if (kernel::compare_distance(p, other->first, best->first) == Sign::negative) best = other;
-  return empty() ? MaybeId<VertexId>{} : best->second;
+  return best->second;
 }
 
 void CoplanarPoints::insert(const Point3& p, VertexId v) {
   vertices_.emplace(p, v);
   if (spans(p)) return;
-  assert(extent() != SpaceExtent::plane);
+  assert(extent() != Extent::plane);
   basis_points_[basis_.count()] = p;
-  basis_.extent = static_cast<SpaceExtent>(basis_.count() + 1);
+  basis_.extent = static_cast<Extent>(basis_.count() + 1);
 }
 
 void CoplanarPoints::erase(const Point3& p) {

@@ -16,15 +16,15 @@ template <class PointOf>
 bool is_independent(const PointOf& point, const FirstTetrahedron& found, const Point3& p) {
   const auto at = [&](std::size_t i) -> const Point3& { return point(found.points[i]); };
   switch (found.extent) {
-    case SpaceExtent::nothing:
+    case Extent::nothing:
       return true;
-    case SpaceExtent::point:
+    case Extent::point:
       return p != at(0);
-    case SpaceExtent::line:
+    case Extent::line:
       return !are_collinear(at(0), at(1), p);
-    case SpaceExtent::plane:
+    case Extent::plane:
       return kernel::orient3d(at(0), at(1), at(2), p) != Sign::zero;
-    case SpaceExtent::space:
+    case Extent::space:
       break;
   }
   return false;
@@ -34,12 +34,12 @@ bool is_independent(const PointOf& point, const FirstTetrahedron& found, const P
 template <class PointOf, class Index>
 FirstTetrahedron find_first(const PointOf& point, std::size_t count, const Index& index) {
   FirstTetrahedron found;
-  for (std::size_t i = 0; i < count && found.extent != SpaceExtent::space; ++i) {
+  for (std::size_t i = 0; i < count && found.extent != Extent::space; ++i) {
     if (!is_independent(point, found, point(index(i)))) continue;
     found.points[found.count()] = index(i);
-    found.extent = static_cast<SpaceExtent>(found.count() + 1);
+    found.extent = static_cast<Extent>(found.count() + 1);
   }
-  if (found.extent == SpaceExtent::space) {
+  if (found.extent == Extent::space) {
     auto& [a, b, c, d] = found.points;
     if (kernel::orient3d(point(a), point(b), point(c), point(d)) == Sign::negative) std::swap(a, b);
   }

@@ -6,26 +6,18 @@
 #include <cstdint>
 #include <span>
 
+#include "leonhard/delaunay/extent.hpp"
 #include "leonhard/delaunay/topology/tet_arena.hpp"
 #include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
-
-/// What a set of points of space spans.
-enum class SpaceExtent {
-  nothing,  ///< there is no point
-  point,    ///< one place
-  line,     ///< two or more places, all on one line
-  plane,    ///< three or more places, all in one plane, not all on one line
-  space,    ///< four points are the corners of a tetrahedron
-};
 
 /// Do three points of space lie on one line? Exact for all finite coordinates; true if two of them are equal.
 [[nodiscard]] bool are_collinear(const Point3& a, const Point3& b, const Point3& c);
 
 /// The first points of a set that are affinely independent: where an incremental construction starts.
 struct FirstTetrahedron {
-  SpaceExtent extent = SpaceExtent::nothing;
+  Extent extent = Extent::nothing;
   /// Indices of 0, 1, 2, 3 or 4 points, by the extent. In space kernel::orient3d of the four is positive.
   std::array<std::size_t, 4> points{};
 

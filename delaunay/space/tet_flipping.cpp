@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "leonhard/delaunay/space/first_tetrahedron.hpp"
-#include "leonhard/delaunay/topology/conflict3.hpp"
+#include "leonhard/delaunay/topology/tet_conflict.hpp"
 #include "leonhard/delaunay/topology/tet_corners.hpp"
 #include "leonhard/delaunay/topology/tet_replacement.hpp"
 #include "leonhard/kernel/insertion_order.hpp"
@@ -190,10 +190,9 @@ GhostTetrahedralization Flipper::finish() {
   return std::move(in_);
 }
 
-TetrahedralizeOutcome flat_outcome(std::size_t points, SpaceExtent extent) {
+TetrahedralizeOutcome flat_outcome(std::size_t points, Extent extent) {
   if (points < 4) return TetrahedralizeOutcome::too_few_points;
-  return extent == SpaceExtent::plane ? TetrahedralizeOutcome::all_coplanar
-                                      : TetrahedralizeOutcome::all_collinear;
+  return extent == Extent::plane ? TetrahedralizeOutcome::all_coplanar : TetrahedralizeOutcome::all_collinear;
 }
 
 }  // namespace
@@ -203,7 +202,7 @@ PointTetrahedralization tetrahedralize_flipping(std::span<const Point3> points,
   constexpr std::size_t poll = 1024;
   const std::vector<std::uint32_t> order = kernel::brio_order(points, options.seed);
   const FirstTetrahedron first = first_tetrahedron(points, order);
-  if (first.extent != SpaceExtent::space) return {flat_outcome(points.size(), first.extent), {}};
+  if (first.extent != Extent::space) return {flat_outcome(points.size(), first.extent), {}};
   const auto& [a, b, c, d] = first.points;
   Flipper flipper(points);
   flipper.start({VertexId::from(a), VertexId::from(b), VertexId::from(c), VertexId::from(d)});

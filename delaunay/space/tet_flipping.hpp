@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "leonhard/delaunay/tet_algorithm.hpp"
+#include "leonhard/delaunay/point_tetrahedralization.hpp"
 #include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {

@@ -200,9 +200,9 @@ class Insertion {
 
 TetrahedralizeOutcome outcome_of(const FirstTetrahedron& first, std::size_t points) {
   using Outcome = TetrahedralizeOutcome;
-  if (first.extent == SpaceExtent::space) return Outcome::done;
+  if (first.extent == Extent::space) return Outcome::done;
   if (points < 4) return Outcome::too_few_points;
-  return first.extent == SpaceExtent::plane ? Outcome::all_coplanar : Outcome::all_collinear;
+  return first.extent == Extent::plane ? Outcome::all_coplanar : Outcome::all_collinear;
 }
 
 }  // namespace

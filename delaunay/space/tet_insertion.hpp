@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "leonhard/delaunay/tet_algorithm.hpp"
+#include "leonhard/delaunay/point_tetrahedralization.hpp"
 #include "leonhard/delaunay/topology/tet_arena.hpp"
 #include "leonhard/kernel/point.hpp"
 

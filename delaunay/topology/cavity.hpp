@@ -25,10 +25,10 @@ class Cavity {
   /// Counter-clockwise; border()[i].to is border()[i + 1].from.
   [[nodiscard]] const std::vector<Border>& border() const { return border_; }
   /// Every triangle of the cavity once, before fill; the fan, afterwards, triangle i behind border i.
-  [[nodiscard]] const std::vector<TriangleId>& triangles() const { return triangles_; }
+  [[nodiscard]] const std::vector<AnyTriangleId>& triangles() const { return triangles_; }
 
   /// Start anew with the disc that is one triangle.
-  void start(const GhostTriangulation& in, TriangleId t) {
+  void start(const GhostTriangulation& in, AnyTriangleId t) {
     clear();
     triangles_.push_back(t);
     for (unsigned i = 3; i-- > 0;) pending_.push_back(in.side(t, i));
@@ -73,7 +73,7 @@ class Cavity {
     SideId first_open{};
     for (std::size_t i = 0; i < border_.size(); ++i) {
       Border& b = border_[i];
-      const TriangleId t = triangles_[i];
+      const AnyTriangleId t = triangles_[i];
       unsigned apex = 0;  // corner of t that is v; the ghost has to be corner 0
       if (b.from == ghost) {
         in.set_corners(t, b.from, b.to, v);
@@ -102,7 +102,7 @@ class Cavity {
     border_.clear();
     pending_.clear();
   }
-  std::vector<TriangleId> triangles_;
+  std::vector<AnyTriangleId> triangles_;
   std::vector<Border> border_;
   std::vector<SideId> pending_;
 };

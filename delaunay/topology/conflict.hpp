@@ -23,7 +23,7 @@ namespace leonhard::delaunay {
 }
 
 [[nodiscard]] inline bool in_conflict(const GhostTriangulation& in, std::span<const Point2> points,
-                                      TriangleId t, const Point2& p) {
+                                      AnyTriangleId t, const Point2& p) {
   return in_conflict(points, in.corner(t, 0), in.corner(t, 1), in.corner(t, 2), p);
 }
 

@@ -33,7 +33,7 @@ GhostTriangulation ghost_triangulation(const QuadEdge& quads) {
   for (const EdgeRef e : edge) {
     const EdgeRef next = quads.lnext(e), last = quads.lnext(next);
     assert(quads.lnext(last) == e);
-    const TriangleId t = out.add(*quads.origin(e), *quads.origin(next), *quads.origin(last));
+    const AnyTriangleId t = out.add(*quads.origin(e), *quads.origin(next), *quads.origin(last));
     side_of[slot(e)] = out.side(t, 2);
     side_of[slot(next)] = out.side(t, 0);
     side_of[slot(last)] = out.side(t, 1);

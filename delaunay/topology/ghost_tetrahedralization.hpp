@@ -17,6 +17,8 @@ namespace leonhard::delaunay {
 /// behind the hull's face a, b, c; its corner 0 is the ghost, and it is positive if the ghost is thought of as a point
 /// beyond that face: kernel::orient3d(p, a, b, c) is positive for all p beyond it.
 ///
+/// Ghosts and real tetrahedra are numbered by TetId alike: a mesh takes the arrays of the real ones over as they are.
+///
 /// 32 bytes a tetrahedron: four corners, positive, and four neighbours, neighbours[t][i] across the face opposite
 /// corners[t][i], none of which is missing.
 struct GhostTetrahedralization {

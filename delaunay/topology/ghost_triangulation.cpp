@@ -5,8 +5,8 @@
 
 namespace leonhard::delaunay {
 
-void GhostTriangulation::set_first_triangle(TriangleId t, VertexId a, VertexId b, VertexId c) {
-  const auto ghost_at = [&](unsigned i) { return TriangleId{t.raw + 1 + i}; };  // behind side i
+void GhostTriangulation::set_first_triangle(AnyTriangleId t, VertexId a, VertexId b, VertexId c) {
+  const auto ghost_at = [&](unsigned i) { return AnyTriangleId{t.raw + 1 + i}; };  // behind side i
   set_corners(t, a, b, c);
   set_corners(ghost_at(0), ghost, c, b);
   set_corners(ghost_at(1), ghost, a, c);
@@ -24,8 +24,8 @@ void GhostTriangulation::renumber_vertices(std::span<const std::uint32_t> number
       if (v != ghost) v = VertexId{number_of[v.index()]};
 }
 
-void GhostTriangulation::erase(TriangleId t) {
-  const TriangleId last = TriangleId::from(triangle_count() - 1);
+void GhostTriangulation::erase(AnyTriangleId t) {
+  const AnyTriangleId last = AnyTriangleId::from(triangle_count() - 1);
   if (t != last) {
     corners_[t.index()] = corners_.back();
     for (unsigned i = 0; i < 3; ++i) link(side(t, i), twin(side(last, i)));
@@ -56,7 +56,7 @@ GhostTriangulation::Flipped GhostTriangulation::flip(SideId s) {
 
 std::optional<std::string> GhostTriangulation::validate() const {
   for (std::size_t k = 0; k < twins_.size(); ++k) {
-    const SideId s = side(TriangleId::from(k / 3), static_cast<unsigned>(k % 3));
+    const SideId s = side(AnyTriangleId::from(k / 3), static_cast<unsigned>(k % 3));
     if (number(twin(s)) > 2 || slot(twin(s)) >= twins_.size() || twin(twin(s)) != s)
       return name(s) + " has a twin that does not point back";
     if (origin(s) != destination(twin(s)) || destination(s) != origin(twin(s)))

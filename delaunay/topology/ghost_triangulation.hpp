@@ -16,6 +16,10 @@
 
 namespace leonhard::delaunay {
 
+/// A triangle of a GhostTriangulation, real or a ghost. Not a TriangleId: a mesh has real triangles only, with numbers of
+/// its own.
+using AnyTriangleId = Id<struct AnyTriangleTag>;
+
 /// Side i of triangle t has number 4 t + i, i < 3, and lies opposite corner i.
 using SideId = Id<struct TriangulationSideTag>;
 
@@ -35,8 +39,8 @@ class GhostTriangulation {
       : corners_(large_vector<std::array<VertexId, 3>>(triangles)),
         twins_(large_vector<SideId>(3 * triangles)) {}
 
-  [[nodiscard]] static SideId side(TriangleId t, unsigned i) { return SideId{4 * t.raw + i}; }
-  [[nodiscard]] static TriangleId triangle(SideId s) { return TriangleId{s.raw >> 2}; }
+  [[nodiscard]] static SideId side(AnyTriangleId t, unsigned i) { return SideId{4 * t.raw + i}; }
+  [[nodiscard]] static AnyTriangleId triangle(SideId s) { return AnyTriangleId{s.raw >> 2}; }
   /// Which side of its triangle it is: 0, 1 or 2.
   [[nodiscard]] static unsigned number(SideId s) { return static_cast<unsigned>(s.raw & 3); }
   [[nodiscard]] static SideId next(SideId s) { return SideId{number(s) == 2 ? s.raw - 2 : s.raw + 1}; }
@@ -46,8 +50,9 @@ class GhostTriangulation {
   /// "side 1 of triangle 7", for messages.
   [[nodiscard]] static std::string name(SideId s);
 
-  [[nodiscard]] std::size_t triangle_count() const { return corners_.size(); }
-  [[nodiscard]] VertexId corner(TriangleId t, unsigned i) const { return corners_[t.index()][i]; }
+  [[nodiscard]] std::size_t triangle_count() const { return corners_.size(); }  ///< ghosts included
+  [[nodiscard]] IdRange<AnyTriangleId> triangles() const { return IdRange<AnyTriangleId>(triangle_count()); }
+  [[nodiscard]] VertexId corner(AnyTriangleId t, unsigned i) const { return corners_[t.index()][i]; }
   /// The corner that the side lies opposite to.
   [[nodiscard]] VertexId apex(SideId s) const { return corners_[triangle(s).index()][number(s)]; }
   /// A side runs from its origin to its destination, its triangle on the left.
@@ -55,7 +60,7 @@ class GhostTriangulation {
   [[nodiscard]] VertexId destination(SideId s) const { return apex(previous(s)); }
   /// The same edge seen from the other triangle, running the other way.
   [[nodiscard]] SideId twin(SideId s) const { return twins_[slot(s)]; }
-  [[nodiscard]] bool is_ghost(TriangleId t) const { return corners_[t.index()][0] == ghost; }
+  [[nodiscard]] bool is_ghost(AnyTriangleId t) const { return corners_[t.index()][0] == ghost; }
   /// The next side counter-clockwise about the common origin.
   [[nodiscard]] SideId turn_about_origin(SideId s) const { return twin(previous(s)); }
 
@@ -64,29 +69,29 @@ class GhostTriangulation {
     twins_.reserve(3 * triangles);
   }
   /// A new triangle, counter-clockwise, not yet linked. The ghost, if any, must come first.
-  TriangleId add(VertexId a, VertexId b, VertexId c) {
+  AnyTriangleId add(VertexId a, VertexId b, VertexId c) {
     corners_.push_back({a, b, c});
     twins_.resize(3 * corners_.size());
-    return TriangleId::from(triangle_count() - 1);
+    return AnyTriangleId::from(triangle_count() - 1);
   }
-  void set_corners(TriangleId t, VertexId a, VertexId b, VertexId c) { corners_[t.index()] = {a, b, c}; }
-  void set_corner(TriangleId t, unsigned i, VertexId v) { corners_[t.index()][i] = v; }
+  void set_corners(AnyTriangleId t, VertexId a, VertexId b, VertexId c) { corners_[t.index()] = {a, b, c}; }
+  void set_corner(AnyTriangleId t, unsigned i, VertexId v) { corners_[t.index()][i] = v; }
   void link(SideId s, SideId t) {
     twins_[slot(s)] = t;
     twins_[slot(t)] = s;
   }
 
   /// Take away a triangle to which no side is linked any more. The last triangle takes its number.
-  void erase(TriangleId t);
+  void erase(AnyTriangleId t);
 
   /// The first triangle, counter-clockwise, with its three ghosts. The triangulation must be empty.
   void start(VertexId a, VertexId b, VertexId c) {
     corners_.resize(4);
     twins_.resize(12);
-    set_first_triangle(TriangleId{0}, a, b, c);
+    set_first_triangle(AnyTriangleId{0}, a, b, c);
   }
   /// The same in the place of t and the three triangles after it.
-  void set_first_triangle(TriangleId t, VertexId a, VertexId b, VertexId c);
+  void set_first_triangle(AnyTriangleId t, VertexId a, VertexId b, VertexId c);
   /// Vertex v becomes number_of[v]; the ghost stays.
   void renumber_vertices(std::span<const std::uint32_t> number_of);
 

@@ -3,7 +3,8 @@
 
 namespace leonhard::delaunay {
 
-Location location_in(const GhostTriangulation& in, std::span<const Point2> points, TriangleId t, Point2 p) {
+Location location_in(const GhostTriangulation& in, std::span<const Point2> points, AnyTriangleId t,
+                     Point2 p) {
   if (in.is_ghost(t)) return {Location::Kind::outside, in.side(t, 0)};
   for (unsigned i = 0; i < 3; ++i)
     if (points[in.origin(in.side(t, i)).index()] == p) return {Location::Kind::on_vertex, in.side(t, i)};
@@ -15,7 +16,7 @@ Location location_in(const GhostTriangulation& in, std::span<const Point2> point
   return {Location::Kind::in_triangle, in.side(t, 0)};
 }
 
-Location locate(const GhostTriangulation& in, std::span<const Point2> points, TriangleId from, Point2 p,
+Location locate(const GhostTriangulation& in, std::span<const Point2> points, AnyTriangleId from, Point2 p,
                 Coin& coin) {
   return location_in(in, points, walk(in, points, from, p, coin), p);
 }

@@ -29,8 +29,8 @@ class Coin {
 /// from `from`, which is real; or a ghost triangle whose edge has p strictly on its outer side.
 ///
 /// The domain must be convex, or nothing may lie between `from` and p.
-[[nodiscard]] inline TriangleId walk(const GhostTriangulation& in, std::span<const Point2> points,
-                                     TriangleId from, Point2 p, Coin& coin) {
+[[nodiscard]] inline AnyTriangleId walk(const GhostTriangulation& in, std::span<const Point2> points,
+                                        AnyTriangleId from, Point2 p, Coin& coin) {
   const auto beyond = [&](SideId s) {
     return kernel::orient2d(points[in.origin(s).index()], points[in.destination(s).index()], p) ==
            Sign::negative;
@@ -68,11 +68,11 @@ struct Location {
 
 /// Where p lies in a triangle that holds it; or outside, if the triangle is a ghost with p strictly to the
 /// left of its edge.
-[[nodiscard]] Location location_in(const GhostTriangulation& in, std::span<const Point2> points, TriangleId t,
-                                   Point2 p);
+[[nodiscard]] Location location_in(const GhostTriangulation& in, std::span<const Point2> points,
+                                   AnyTriangleId t, Point2 p);
 
 /// Locate p by a walk from the real triangle `from`; the same conditions as for walk.
-[[nodiscard]] Location locate(const GhostTriangulation& in, std::span<const Point2> points, TriangleId from,
-                              Point2 p, Coin& coin);
+[[nodiscard]] Location locate(const GhostTriangulation& in, std::span<const Point2> points,
+                              AnyTriangleId from, Point2 p, Coin& coin);
 
 }  // namespace leonhard::delaunay

@@ -42,8 +42,8 @@ void Star::fill_directly() {
 }
 
 /// One of the star's triangles, with new corners.
-TriangleId Star::take(VertexId a, VertexId b, VertexId c) {
-  const TriangleId t = triangles_[taken_++];
+AnyTriangleId Star::take(VertexId a, VertexId b, VertexId c) {
+  const AnyTriangleId t = triangles_[taken_++];
   in_->set_corners(t, a, b, c);
   return t;
 }
@@ -69,7 +69,7 @@ SideId Star::fill_chain(std::size_t first, std::size_t last) {
   const VertexId from = link_[last].from, to = link_[first].from;
   const std::size_t k = apex(from, to, first + 1, last);
   assert(k != last);
-  const TriangleId t = take(from, to, link_[k].from);
+  const AnyTriangleId t = take(from, to, link_[k].from);
   in_->link(in_->side(t, 0), fill_chain(first, k));
   in_->link(in_->side(t, 1), fill_chain(k, last));
   return in_->side(t, 2);
@@ -85,13 +85,13 @@ void Star::fill_about_ghost() {
     const VertexId a = link_[first].from, b = link_[first + 1].from;
     const std::size_t k = apex(a, b, first + 2, last + 1);
     if (k == last + 1) {
-      const TriangleId t = take(ghost, a, b);
+      const AnyTriangleId t = take(ghost, a, b);
       in_->link(in_->side(t, 0), link_[first].outer);
       in_->link(in_->side(t, 2), from_ghost);
       from_ghost = in_->side(t, 1);
       ++first;
     } else {
-      const TriangleId t = take(a, b, link_[k].from);
+      const AnyTriangleId t = take(a, b, link_[k].from);
       in_->link(in_->side(t, 2), link_[first].outer);
       in_->link(in_->side(t, 0), fill_chain(first + 1, k));
       first = k - 1;
@@ -111,7 +111,7 @@ void Star::fill_from_whole() {
   assert(has_ghost());
   SideId from_ghost = link_.back().outer;
   for (std::size_t i = 0; i + 2 < link_.size(); ++i) {
-    const TriangleId t = take(GhostTriangulation::ghost, link_[i].from, link_[i + 1].from);
+    const AnyTriangleId t = take(GhostTriangulation::ghost, link_[i].from, link_[i + 1].from);
     in_->link(in_->side(t, 0), link_[i].outer);
     in_->link(in_->side(t, 2), from_ghost);
     from_ghost = in_->side(t, 1);
@@ -131,9 +131,9 @@ void Star::copy_part(const GhostTriangulation& whole) {
     const std::size_t from = place(whole.origin(s)), to = place(whole.destination(s));
     return from < n && to == (from + 1 == n ? 0 : from + 1);
   };
-  std::vector<MaybeId<TriangleId>> copy_of(whole.triangle_count());
-  std::vector<TriangleId> pending;
-  const auto copy = [&](TriangleId t) {
+  std::vector<MaybeId<AnyTriangleId>> copy_of(whole.triangle_count());
+  std::vector<AnyTriangleId> pending;
+  const auto copy = [&](AnyTriangleId t) {
     if (!copy_of[t.index()]) {
       const auto corner = [&](unsigned i) { return link_[place(whole.corner(t, i))].from; };
       copy_of[t.index()] = take(corner(0), corner(1), corner(2));
@@ -143,9 +143,10 @@ void Star::copy_part(const GhostTriangulation& whole) {
   };
   for (std::size_t i = 0; pending.empty(); ++i)  // until a border's triangle is found
     for (unsigned k = 0; k < 3; ++k)
-      if (const TriangleId t = TriangleId::from(i); is_border(whole.side(t, k)) && pending.empty()) copy(t);
+      if (const AnyTriangleId t = AnyTriangleId::from(i); is_border(whole.side(t, k)) && pending.empty())
+        copy(t);
   while (!pending.empty()) {
-    const TriangleId t = pending.back();
+    const AnyTriangleId t = pending.back();
     pending.pop_back();
     for (unsigned k = 0; k < 3; ++k) {
       const SideId s = whole.side(t, k), twin = whole.twin(s), mine = in_->side(*copy_of[t.index()], k);

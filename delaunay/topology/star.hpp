@@ -32,7 +32,7 @@ class Star {
   [[nodiscard]] bool has_ghost() const { return link_.back().from == GhostTriangulation::ghost; }
   /// The star's triangles; after fill, those that were given new corners and at the end two to which nothing
   /// is linked any more.
-  [[nodiscard]] const std::vector<TriangleId>& triangles() const { return triangles_; }
+  [[nodiscard]] const std::vector<AnyTriangleId>& triangles() const { return triangles_; }
 
   /// Replace the star by the Delaunay triangulation of the hole, with two triangles less. The link is used
   /// up. The vertices without the centre must not all be collinear.
@@ -50,11 +50,11 @@ class Star {
   void fill_from_whole();
   void copy_part(const GhostTriangulation& whole);
   std::size_t apex(VertexId from, VertexId to, std::size_t begin, std::size_t end) const;
-  TriangleId take(VertexId a, VertexId b, VertexId c);
+  AnyTriangleId take(VertexId a, VertexId b, VertexId c);
   [[nodiscard]] Point2 at(VertexId v) const { return points_[v.index()]; }
 
   std::vector<Link> link_;
-  std::vector<TriangleId> triangles_;
+  std::vector<AnyTriangleId> triangles_;
   std::size_t taken_ = 0;
   GhostTriangulation* in_ = nullptr;  // while filling
   std::span<const Point2> points_;

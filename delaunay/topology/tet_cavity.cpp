@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "leonhard/delaunay/topology/conflict3.hpp"
+#include "leonhard/delaunay/topology/tet_conflict.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 
 namespace leonhard::delaunay {

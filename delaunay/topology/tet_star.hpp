@@ -4,23 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "leonhard/delaunay/support/id_set.hpp"
 #include "leonhard/delaunay/topology/ghost_tetrahedralization.hpp"
 #include "leonhard/mesh/id.hpp"
 
 namespace leonhard::delaunay {
-
-/// A set of numbers: a hash table with room to spare.
-class IdSet {
- public:
-  void clear();
-  /// Whether it was not there yet. Expected O(1).
-  bool insert(IdRaw id);
-
- private:
-  void grow();
-  std::vector<IdRaw> slots_;
-  std::size_t size_ = 0;
-};
 
 /// The tetrahedra at a vertex and the other ends of its edges. Nothing is marked, so that many threads may look at
 /// once. Buffers are kept from one vertex to the next.

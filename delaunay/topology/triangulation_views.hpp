@@ -78,7 +78,7 @@ class TriangleView {
     iterator() = default;
     iterator(const GhostTriangulation* in, std::size_t at) : in_(in), at_(at) { skip(); }
     [[nodiscard]] VertexTriple operator*() const {
-      const TriangleId t = TriangleId::from(at_);
+      const AnyTriangleId t = AnyTriangleId::from(at_);
       return {in_->corner(t, 0), in_->corner(t, 1), in_->corner(t, 2)};
     }
     iterator& operator++() {
@@ -90,7 +90,7 @@ class TriangleView {
 
    private:
     void skip() {
-      while (at_ < in_->triangle_count() && in_->is_ghost(TriangleId::from(at_))) ++at_;
+      while (at_ < in_->triangle_count() && in_->is_ghost(AnyTriangleId::from(at_))) ++at_;
     }
     const GhostTriangulation* in_ = nullptr;
     std::size_t at_{};
@@ -134,7 +134,7 @@ class EdgeView {
 
    private:
     [[nodiscard]] SideId side() const {
-      return GhostTriangulation::side(TriangleId::from(slot_ / 3), static_cast<unsigned>(slot_ % 3));
+      return GhostTriangulation::side(AnyTriangleId::from(slot_ / 3), static_cast<unsigned>(slot_ % 3));
     }
     /// An edge of two real triangles is shown by the side of the lower number, one of the hull by its real
     /// side.

@@ -23,6 +23,7 @@ struct Figure {
   void (*draw)(const std::filesystem::path& file, const std::string& title) = nullptr;
 };
 
+[[nodiscard]] std::vector<Figure> polyhedron_figures();     ///< 1.1.0
 [[nodiscard]] std::vector<Figure> dual_figures();           ///< 1.2.0, 1.3.0, 3.1.0
 [[nodiscard]] std::vector<Figure> orientation_figures();    ///< 2.1.0
 [[nodiscard]] std::vector<Figure> ordering_figures();       ///< 2.2.0 to 2.2.2

@@ -12,7 +12,7 @@ using leonhard::notes::Figure;
 
 std::vector<Figure> all_figures() {
   std::vector<Figure> all;
-  for (const auto& part : {leonhard::notes::dual_figures(), leonhard::notes::orientation_figures(),
+  for (const auto& part : {leonhard::notes::polyhedron_figures(), leonhard::notes::dual_figures(), leonhard::notes::orientation_figures(),
                            leonhard::notes::ordering_figures(), leonhard::notes::communication_figures(),
                            leonhard::notes::partition_figures(), leonhard::notes::property_figures(),
                            leonhard::notes::algorithm_figures()})

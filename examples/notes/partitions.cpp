@@ -6,10 +6,12 @@
 
 #include "figures.hpp"
 #include "flap_mesh.hpp"
+#include "leonhard/delaunay/triangulate.hpp"
 #include "leonhard/graph/fiedler.hpp"
 #include "leonhard/graph/mesh_graph.hpp"
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/mesh/draw/mesh_picture.hpp"
+#include "leonhard/mesh/edges.hpp"
 
 namespace leonhard::notes {
 namespace {
@@ -71,12 +73,49 @@ void fiedler_contours(const std::filesystem::path& file, const std::string& titl
                     .dashed_below = 0});
 }
 
+/// A graph whose vertices are coloured by the side of the median on which their entry of the Fiedler vector lies: the
+/// edges between colours are cut, and the separator runs through their midpoints from triangle to triangle.
+std::vector<draw::Diagram> two_colouring() {
+  const TriangleMesh mesh = delaunay::triangulate(random_sites(44, 11, 0.09)).mesh;
+  const EdgeStructure edges = mesh::build_edges(mesh);
+  const std::vector<double> vector = graph::fiedler(graph::vertex_graph(mesh, edges)).vector;
+  const double middle = median(vector);
+  const auto above = [&](VertexId v) { return vector[v.index()] >= middle; };
+  draw::Diagram diagram;
+  std::size_t cut = 0;
+  for (const EdgeId e : edges.ends.ids()) {
+    const auto [a, b] = edges.ends[e];
+    const bool is_cut = above(a) != above(b);
+    cut += is_cut ? 1 : 0;
+    diagram.add_segment(mesh.points[a], mesh.points[b], is_cut ? dashed : thin);
+  }
+  for (const TriangleId t : mesh.corners.ids()) {
+    const auto& corner = mesh.corners[t];
+    std::vector<Point2> ends;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId a = corner[i], b = corner[(i + 1) % 3];
+      const Point2 both[]{mesh.points[a], mesh.points[b]};
+      if (above(a) != above(b)) ends.push_back(centroid(both));
+    }
+    if (ends.size() == 2) diagram.add_segment(ends[0], ends[1], {.colour = second, .width = 3.5});
+  }
+  for (const VertexId v : mesh.points.ids())
+    diagram.add_named_dot(mesh.points[v], above(v) ? "+1" : "-1", {0.75, 0.75}, above(v) ? accent : second);
+  const auto first = static_cast<std::size_t>(std::count_if(vector.begin(), vector.end(), [&](double x) {
+    return x >= middle;
+  }));
+  diagram.title = std::to_string(first) + " and " + std::to_string(vector.size() - first) + " vertices, " +
+                  std::to_string(cut) + " edges cut (dashed); the separator in blue";
+  return {diagram};
+}
+
 }  // namespace
 
 std::vector<Figure> partition_figures() {
   return {{"2.3.2", "Coordinate bisection, 16 partitions", nullptr, 1, coordinate_bisection},
           {"2.3.3", "Cuthill-McKee partitioning, 16 partitions", nullptr, 1, cuthill_mckee_partitioning},
           {"2.3.4", "Spectral partitioning, 16 partitions", nullptr, 1, spectral_partitioning},
+          {"2.3.5", "A graph in two colours, its separator and its cut edges", two_colouring},
           {"2.3.6", "Contours of the Fiedler vector, dashed below the median", nullptr, 1, fiedler_contours}};
 }
 

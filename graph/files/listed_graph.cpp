@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "leonhard/graph/support/sorted_arcs.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph::detail {
@@ -95,13 +94,11 @@ void assemble(ListedGraph&& listed, GraphFile& file) {
   rows.erase(repeated, rows.end());
   if (listed.both_directions) check_symmetry(listed, rows, file);
 
-  Arcs arcs;
-  arcs.reserve(rows.size());
-  for (const Entry i : rows) {
-    arcs.emplace_back(listed.entries[i].from, listed.entries[i].to);
-    if (!listed.weights.empty()) file.edge_weights.push_back(listed.weights[i]);
-  }
-  file.graph = graph_of_sorted_arcs(arcs, listed.vertices);
+  file.graph = CsrGraph(collect_rows<std::uint32_t>(listed.vertices, [&](const auto& add) {
+    for (const Entry i : rows) add(listed.entries[i].from, listed.entries[i].to);
+  }));
+  if (!listed.weights.empty())
+    for (const Entry i : rows) file.edge_weights.push_back(listed.weights[i]);
   file.components = components(file.graph).count();
 }
 

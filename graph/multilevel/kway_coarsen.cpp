@@ -91,35 +91,31 @@ Clusters heavy_edge_matching(const KwayGraph& graph, std::int64_t largest,
 }
 
 KwayGraph contract(const KwayGraph& graph, const Clusters& clusters) {
-  // The members of each cluster, one cluster after another.
-  std::vector<std::uint32_t> first(clusters.count + std::size_t{1}, 0), members(graph.size());
-  for (const std::uint32_t c : clusters.cluster_of) ++first[c + std::size_t{1}];
-  for (std::size_t c = 0; c < clusters.count; ++c) first[c + 1] += first[c];
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::uint32_t v = 0; v < graph.size(); ++v) members[next[clusters.cluster_of[v]]++] = v;
+  const auto members = collect_rows<std::uint32_t>(clusters.count, [&](const auto& add) {
+    for (std::uint32_t v = 0; v < graph.size(); ++v) add(clusters.cluster_of[v], v);
+  });
 
   KwayGraph coarse;
-  coarse.start.reserve(clusters.count + std::size_t{1});
-  coarse.arcs.reserve(graph.arcs.size());
+  coarse.arcs.reserve(clusters.count, graph.arcs.link_count());
   coarse.vertex_weight.assign(clusters.count, 0);
   coarse.total_weight = graph.total_weight;
   std::vector<std::uint32_t> slot(clusters.count, none);  // per cluster: its arc in the last row that had one
   for (std::uint32_t c = 0; c < clusters.count; ++c) {
-    const auto row = static_cast<std::uint32_t>(coarse.arcs.size());
-    for (std::uint32_t i = first[c]; i < first[c + std::size_t{1}]; ++i) {
-      coarse.vertex_weight[c] += graph.vertex_weight[members[i]];
-      for (const Arc& arc : graph.row(members[i])) {
+    const auto row = static_cast<std::uint32_t>(coarse.arcs.link_count());
+    for (const std::uint32_t member : members[c]) {
+      coarse.vertex_weight[c] += graph.vertex_weight[member];
+      for (const Arc& arc : graph.row(member)) {
         const std::uint32_t d = clusters.cluster_of[arc.to];
         if (d == c) continue;
         if (slot[d] != none && slot[d] >= row) {
-          coarse.arcs[slot[d]].weight += arc.weight;
+          coarse.arcs.links()[slot[d]].weight += arc.weight;
         } else {
-          slot[d] = static_cast<std::uint32_t>(coarse.arcs.size());
-          coarse.arcs.push_back({d, arc.weight});
+          slot[d] = static_cast<std::uint32_t>(coarse.arcs.link_count());
+          coarse.arcs.add_link({d, arc.weight});
         }
       }
     }
-    coarse.start.push_back(static_cast<std::uint32_t>(coarse.arcs.size()));
+    coarse.arcs.end_row();
   }
   return coarse;
 }

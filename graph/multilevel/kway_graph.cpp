@@ -29,11 +29,12 @@ void check_weights(std::span<const std::uint32_t> weights, std::size_t expected,
 
 /// The two directions of an edge must weigh the same.
 void check_symmetry(const CsrGraph& graph, const KwayGraph& weighted) {
-  std::vector<std::uint32_t> next(weighted.start.begin(), weighted.start.end() - 1);
+  const auto offsets = weighted.arcs.offsets();
+  std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
   // Rows ascend, so the arcs into w come in the sequence of w's row when v runs upwards.
   for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
     for (const Arc& arc : weighted.row(v)) {
-      const Arc& back = weighted.arcs[next[arc.to]++];
+      const Arc& back = weighted.arcs.links()[next[arc.to]++];
       if (back.to != v || back.weight != arc.weight)
         throw InputError("edge_weights",
                          "edge " + std::to_string(v) + "-" + std::to_string(arc.to) + " weighs " +
@@ -55,13 +56,12 @@ KwayGraph weighted_graph(const CsrGraph& graph, std::span<const std::uint32_t> v
     throw InputError("graph", std::to_string(n) + " vertices and " + std::to_string(arcs / 2) + " edges",
                      "the multilevel method takes fewer than 2^31 vertices and 2^30 edges");
   KwayGraph result;
-  result.start.reserve(n + std::size_t{1});
-  result.arcs.reserve(arcs);
+  result.arcs.reserve(n, arcs);
   for (std::uint32_t v = 0; v < n; ++v) {
     for (const std::uint32_t w : neighbours(graph, v))
-      result.arcs.push_back(
-          {w, edge_weights.empty() ? 1 : static_cast<std::int32_t>(edge_weights[result.arcs.size()])});
-    result.start.push_back(static_cast<std::uint32_t>(result.arcs.size()));
+      result.arcs.add_link(
+          {w, edge_weights.empty() ? 1 : static_cast<std::int32_t>(edge_weights[result.arcs.link_count()])});
+    result.arcs.end_row();
   }
   if (vertex_weights.empty())
     result.vertex_weight.assign(n, 1);
@@ -76,12 +76,12 @@ KwayGraph KwaySubgraph::operator()(std::span<const std::uint32_t> vertices,
                                    std::span<const std::uint32_t> side) {
   KwayGraph result;
   for (std::uint32_t i = 0; i < vertices.size(); ++i) new_of_old_[vertices[i]] = i;
-  result.start.reserve(vertices.size() + 1);
+  result.arcs.reserve(vertices.size(), 0);
   result.vertex_weight.reserve(vertices.size());
   for (const std::uint32_t v : vertices) {
     for (const Arc& arc : graph_->row(v))
-      if (side[arc.to] == side[v]) result.arcs.push_back({new_of_old_[arc.to], arc.weight});
-    result.start.push_back(static_cast<std::uint32_t>(result.arcs.size()));
+      if (side[arc.to] == side[v]) result.arcs.add_link({new_of_old_[arc.to], arc.weight});
+    result.arcs.end_row();
     result.vertex_weight.push_back(graph_->vertex_weight[v]);
     result.total_weight += graph_->vertex_weight[v];
   }

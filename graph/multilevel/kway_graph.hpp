@@ -16,18 +16,15 @@ struct Arc {
   std::int32_t weight;
 };
 
-/// An undirected graph with weights, both directions of every edge stored, rows one after another. The sums of all
-/// vertex weights and of all arc weights stay below 2^31, so that every gain fits in 32 bits.
+/// An undirected graph with weights, both directions of every edge stored. The sums of all vertex weights and of all arc
+/// weights stay below 2^31, so that every gain fits in 32 bits.
 struct KwayGraph {
-  std::vector<std::uint32_t> start{0};  ///< size() + 1 entries: row v is arcs [start[v], start[v+1])
-  std::vector<Arc> arcs;
+  CompressedRows<Arc> arcs;  ///< row v: the edges of vertex v
   std::vector<std::int32_t> vertex_weight;
   std::int64_t total_weight{};  ///< of the vertices
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(vertex_weight.size()); }
-  [[nodiscard]] std::span<const Arc> row(std::uint32_t v) const {
-    return {arcs.data() + start[v], arcs.data() + start[v + 1]};
-  }
+  [[nodiscard]] std::span<const Arc> row(std::uint32_t v) const { return arcs[v]; }
 };
 
 /// vertex_weights  one a vertex; empty: all 1

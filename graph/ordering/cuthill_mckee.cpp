@@ -27,7 +27,7 @@ class CuthillMcKee {
     for (; next < order_.size(); ++next) {
       detail::prefetch_rows(graph_, order_, next, [&](std::uint32_t w) {
         __builtin_prefetch(&placed_[w], 1);
-        __builtin_prefetch(&graph_.m_forward.m_rowstart[w]);
+        __builtin_prefetch(&graph_.rows().offsets()[w]);
       });
       append_children(order_[next]);
     }

@@ -12,7 +12,7 @@ struct NestedDissectionOptions {
   double largest_side = 0.67;  ///< of a piece's vertices
   std::uint32_t tries = 2;     ///< separators of each piece, of which the smallest is taken
   std::uint64_t seed = 1;
-  Progress progress;  ///< stages "nested dissection", "minimum degree"
+  Progress progress{};  ///< stages "nested dissection", "minimum degree"
 };
 
 /// The nested dissection ordering: a separator is numbered last, the two sides before it in the same way. Within

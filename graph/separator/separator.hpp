@@ -20,7 +20,7 @@ struct SeparatorOptions {
   double largest_side = 0.67;  ///< of the vertices, above 1/2; missed only where no separator keeps it
   std::uint32_t tries = 4;     ///< the smallest separator of so many independent ones is kept
   std::uint64_t seed = 1;
-  std::stop_token stop;  ///< when it is requested the best separator so far is returned
+  std::stop_token stop{};  ///< when it is requested the best separator so far is returned
 };
 
 /// A small set of vertices that divides a graph into two sides of about the same size.

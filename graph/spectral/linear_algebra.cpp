@@ -53,8 +53,8 @@ SparseMatrix multiply(const SparseMatrix& a, const SparseMatrix& b, const std::s
   for (std::uint32_t row = 0; row < a.rows(); ++row) {
     if (row % between_looks == 0 && stop.stop_requested()) break;
     for (std::size_t k = a.start[row]; k < a.start[row + std::size_t{1}]; ++k) {
-      const std::size_t middle = a.column[k];
-      for (std::size_t l = b.start[middle]; l < b.start[middle + 1]; ++l)
+      const std::size_t link = a.column[k];
+      for (std::size_t l = b.start[link]; l < b.start[link + 1]; ++l)
         row_sum.add(b.column[l], a.value[k] * b.value[l]);
     }
     row_sum.flush(c);

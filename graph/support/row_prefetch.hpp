@@ -17,10 +17,10 @@ template <class Fetch>
 [[gnu::always_inline]] inline void prefetch_rows(const CsrGraph& graph, std::span<const std::uint32_t> queue,
                                                  std::size_t at, const Fetch& of_a_neighbour) {
   constexpr std::size_t ahead = 4;
-  const auto& start = graph.m_forward.m_rowstart;
+  const auto start = graph.rows().offsets();
   if (at + 4 * ahead < queue.size()) __builtin_prefetch(&start[queue[at + 4 * ahead]]);
   if (at + 2 * ahead < queue.size())
-    __builtin_prefetch(&graph.m_forward.m_column[start[queue[at + 2 * ahead]]]);
+    __builtin_prefetch(graph.rows().links().data() + start[queue[at + 2 * ahead]]);
   if (at + ahead < queue.size())
     for (const std::uint32_t w : neighbours(graph, queue[at + ahead])) of_a_neighbour(w);
 }

@@ -3,60 +3,79 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "leonhard/mesh/structures/half_edges.hpp"
-#include "leonhard/mesh/triangle_mesh.hpp"
+#include "leonhard/mesh/structures/half_facets.hpp"
 
-/// The invariants of TriangleMesh one by one, each in words for the first place where it is broken. `validate` and
-/// `make_triangle_mesh` ask the same ones. A function may rely on those declared before it.
+/// The invariants of SimplexMesh one by one, each in words for the first place where it is broken. `validate` and
+/// `make_triangle_mesh`, `make_tet_mesh` ask the same ones. A function may rely on those declared before it.
 namespace leonhard::mesh {
 
-/// One entry per vertex or triangle in each array that has to have one.
-[[nodiscard]] std::optional<std::string> broken_sizes(const TriangleMesh& mesh);
+/// One entry per vertex or cell in each array that has to have one.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> broken_sizes(const SimplexMesh<Dim>& mesh);
 
 /// Every coordinate is finite.
-[[nodiscard]] std::optional<std::string> broken_point(const TriangleMesh& mesh);
+template <int Dim>
+[[nodiscard]] std::optional<std::string> broken_point(const SimplexMesh<Dim>& mesh);
 
-/// Every corner is a vertex, no triangle names one twice.
-[[nodiscard]] std::optional<std::string> broken_corner(const TriangleMesh& mesh);
+/// Every corner is a vertex, no cell names one twice.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> broken_corner(const SimplexMesh<Dim>& mesh);
 
-/// Every vertex has a triangle.
-[[nodiscard]] std::optional<std::string> unused_vertex(const TriangleMesh& mesh);
+/// Every vertex has a cell.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> unused_vertex(const SimplexMesh<Dim>& mesh);
 
-/// Every triangle is counter-clockwise, by exact orient2d.
-[[nodiscard]] std::optional<std::string> broken_orientation(const TriangleMesh& mesh);
+/// Every cell is positive, by exact orient2d or orient3d.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> broken_orientation(const SimplexMesh<Dim>& mesh);
 
-/// mesh.neighbours says what the table of half-edges says.
-[[nodiscard]] std::optional<std::string> broken_neighbour(const TriangleMesh& mesh,
-                                                          const HalfEdgeTable& table);
+/// mesh.neighbours says what the table of half-facets says.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> broken_neighbour(const SimplexMesh<Dim>& mesh,
+                                                          const HalfFacetTable<Dim>& table);
 
-/// The edges of mesh.neighbours without a triangle behind, each directed with the mesh on its left.
-class BoundaryEdges {
+/// The facets of mesh.neighbours without a cell behind, each directed outwards.
+template <int Dim>
+class BoundaryFacets {
  public:
-  struct Edge {
-    VertexId from, to;
-    TriangleId triangle;
+  struct Facet {
+    SortedFacet<Dim> sorted;
+    typename Simplex<Dim>::CellId cell;
+    std::uint8_t side;  ///< opposite corners[cell][side]
   };
-  explicit BoundaryEdges(const TriangleMesh& mesh);
+  explicit BoundaryFacets(const SimplexMesh<Dim>& mesh);
 
-  /// Sorted by (from, to).
-  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
-  /// Index in edges() of the edge in this direction. Cost O(log boundary).
-  [[nodiscard]] std::optional<std::size_t> find(VertexId from, VertexId to) const;
+  /// Sorted by their vertices in ascending order.
+  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
+  /// Index in facets() of the facet with these vertices, ascending. Cost O(log boundary).
+  [[nodiscard]] std::optional<std::size_t> find(const std::array<VertexId, Dim>& ascending) const;
 
  private:
-  std::vector<Edge> edges_;
+  std::vector<Facet> facets_;
 };
 
-/// mesh.boundary has each boundary edge once, with the mesh on its left.
-[[nodiscard]] std::optional<std::string> broken_boundary(const TriangleMesh& mesh,
-                                                         const BoundaryEdges& edges);
+/// mesh.boundary has each boundary facet once, directed outwards.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> broken_boundary(const SimplexMesh<Dim>& mesh,
+                                                         const BoundaryFacets<Dim>& facets);
 
-/// mesh.constraints has interior edges only.
-[[nodiscard]] std::optional<std::string> broken_constraint(const TriangleMesh& mesh,
-                                                           const HalfEdgeTable& table);
+/// mesh.constraints or mesh.interfaces has facets between two cells only.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> broken_inner_facet(const SimplexMesh<Dim>& mesh,
+                                                            const HalfFacetTable<Dim>& table);
+
+/// throws  InputError with the problem in words, if there is one
+void refuse(const std::optional<std::string>& problem, const std::string& source, const std::string& remedy);
+
+/// The table of a mesh about which nothing is known.
+/// throws  InputError on a broken corner or a broken facet
+template <int Dim>
+[[nodiscard]] HalfFacetTable<Dim> checked_half_facets(const SimplexMesh<Dim>& mesh,
+                                                      const std::string& source = {});
 
 }  // namespace leonhard::mesh

@@ -10,7 +10,7 @@
 namespace leonhard::mesh {
 namespace {
 
-std::string number(IdRaw raw) { return std::to_string(raw); }
+std::string digits_of(IdRaw raw) { return std::to_string(raw); }
 
 [[noreturn]] void throw_foreign(const char* where, const std::string& what) {
   throw InputError(where, what + " is none of the mesh's",
@@ -36,7 +36,7 @@ void require_sorted(std::size_t vertices, const PerId<EdgeId, std::array<VertexI
                   "edges of " + std::to_string(first_edge.empty() ? 0 : first_edge.size() - 1) + " vertices",
                   vertices);
   if (first_edge.front() != 0 || first_edge.back() != ends.size())
-    throw_foreign("edges", "rows of " + number(first_edge.back()) + " edges in a list of " +
+    throw_foreign("edges", "rows of " + digits_of(first_edge.back()) + " edges in a list of " +
                                std::to_string(ends.size()));
   for (const EdgeId e : ends.ids()) {
     const auto& [a, b] = ends[e];
@@ -50,8 +50,8 @@ void require_sorted(std::size_t vertices, const PerId<EdgeId, std::array<VertexI
 }  // namespace
 
 void throw_foreign_edge(EdgeId e, const std::array<VertexId, 2>& ends) {
-  throw_foreign("edges", "edge " + number(e.raw) + ", from vertex " + number(ends[0].raw) + " to " +
-                             number(ends[1].raw) + ",");
+  throw_foreign("edges", "edge " + digits_of(e.raw) + ", from vertex " + digits_of(ends[0].raw) + " to " +
+                             digits_of(ends[1].raw) + ",");
 }
 
 void require_edges_within(const TriangleMesh& mesh, const EdgeStructure& edges) {
@@ -83,8 +83,8 @@ void require_edges_of(const TriangleMesh& mesh, const EdgeStructure& edges) {
     const MarkedEdge& edge = mesh.boundary[i];
     if (!mesh.points.contains(edge.from) || !mesh.points.contains(edge.to))
       throw InputError("mesh",
-                       "boundary edge " + std::to_string(i) + " from vertex " + number(edge.from.raw) +
-                           " to " + number(edge.to.raw) + ", the mesh has " +
+                       "boundary edge " + std::to_string(i) + " from vertex " + digits_of(edge.from.raw) +
+                           " to " + digits_of(edge.to.raw) + ", the mesh has " +
                            std::to_string(mesh.vertex_count()) + " vertices",
                        "mesh::validate names what is wrong with a mesh");
   }
@@ -106,8 +106,9 @@ void require_faces_within(const TetMesh& mesh, const FaceStructure& faces) {
     };
     const auto& [one, other] = faces.sides[f];
     if (!(one || other) || !fits(one) || !fits(other))
-      throw_foreign("faces", "face " + number(f.raw) + ", of vertices " + number(corners[0].raw) + ", " +
-                                 number(corners[1].raw) + " and " + number(corners[2].raw) + ",");
+      throw_foreign("faces", "face " + digits_of(f.raw) + ", of vertices " + digits_of(corners[0].raw) +
+                                 ", " + digits_of(corners[1].raw) + " and " + digits_of(corners[2].raw) +
+                                 ",");
   }
 }
 
@@ -120,7 +121,7 @@ void require_boundary_within(const TetMesh& mesh) {
     for (const VertexId v : mesh.boundary[i].corners)
       if (!mesh.points.contains(v))
         throw InputError("mesh",
-                         "boundary face " + std::to_string(i) + " names vertex " + number(v.raw) +
+                         "boundary face " + std::to_string(i) + " names vertex " + digits_of(v.raw) +
                              ", the mesh has " + std::to_string(mesh.vertex_count()) + " vertices",
                          "mesh::validate names what is wrong with a mesh");
 }

@@ -38,7 +38,8 @@ std::optional<std::string> overwound_vertex(const TriangleMesh& mesh) {
 struct Segment {
   std::size_t left, right;  ///< sites, left < right
   bool mesh_above;          ///< else below; "above" is to the left of left -> right
-  BoundaryEdges::Edge edge;
+  VertexId from, to;        ///< the mesh to the left
+  TriangleId triangle;
 };
 
 /// A sweep from the lexicographically least site to the greatest over the boundary edges.
@@ -83,8 +84,8 @@ class BoundarySweep {
 };
 
 void BoundarySweep::collect() {
-  const BoundaryEdges boundary(mesh_);
-  for (const auto& edge : boundary.edges()) sites_.push_back(mesh_.points[edge.from]);
+  const BoundaryFacets<2> boundary(mesh_);
+  for (const auto& edge : boundary.facets()) sites_.push_back(mesh_.points[edge.sorted.directed()[0]]);
   std::sort(sites_.begin(), sites_.end(), [](Point2 a, Point2 b) { return a < b; });
   sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
   const auto site_of = [&](VertexId v) {
@@ -92,9 +93,10 @@ void BoundarySweep::collect() {
                                                      [](Point2 a, Point2 b) { return a < b; }) -
                                     sites_.begin());
   };
-  for (const auto& edge : boundary.edges()) {
-    const std::size_t from = site_of(edge.from), to = site_of(edge.to);
-    segments_.push_back({std::min(from, to), std::max(from, to), from < to, edge});
+  for (const auto& edge : boundary.facets()) {
+    const auto [from, to] = edge.sorted.directed();
+    const std::size_t start = site_of(from), end = site_of(to);
+    segments_.push_back({std::min(start, end), std::max(start, end), start < end, from, to, edge.cell});
   }
   std::sort(segments_.begin(), segments_.end(), [](const Segment& s, const Segment& t) {
     return std::tie(s.left, s.right, s.mesh_above) < std::tie(t.left, t.right, t.mesh_above);
@@ -102,7 +104,7 @@ void BoundarySweep::collect() {
 }
 
 std::string BoundarySweep::segment_words(SegmentIndex s) const {
-  const auto& edge = segments_[s].edge;
+  const Segment& edge = segments_[s];
   return "boundary " + words(mesh_, edge.from, edge.to) + " of triangle " + std::to_string(edge.triangle.raw);
 }
 

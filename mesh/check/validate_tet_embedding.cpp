@@ -7,11 +7,11 @@
 
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/predicates3.hpp"
-#include "leonhard/mesh/check/box_tree.hpp"
-#include "leonhard/mesh/check/tet_invariants.hpp"
+#include "leonhard/mesh/check/invariants.hpp"
 #include "leonhard/mesh/check/triangle_contact.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/structures/boundary_sides.hpp"
+#include "leonhard/mesh/structures/box_tree.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "leonhard/mesh/words.hpp"
 
@@ -77,14 +77,14 @@ struct InnerPlace {
 /// One place for each patch of the boundary.
 std::vector<InnerPlace> inner_places(const TetMesh& mesh) {
   DisjointSets patches = patches_of(mesh);
-  const BoundaryFaces faces(mesh);
+  const BoundaryFacets<3> faces(mesh);
   std::vector<InnerPlace> result;
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
     if (patches.find(f) != f) continue;
     const auto& [a, b, c] = mesh.boundary[f].corners;
-    const auto& face = faces.faces()[*faces.find(sorted_face({a, b, c}).corners)];
-    const VertexId d = mesh.corners[face.tet][face.side];
-    result.push_back({places(mesh, std::array{a, b, c, d}), a, face.tet});
+    const auto& face = faces.facets()[*faces.find(sorted_facet(std::array{a, b, c}).corners)];
+    const VertexId d = mesh.corners[face.cell][face.side];
+    result.push_back({places(mesh, std::array{a, b, c, d}), a, face.cell});
   }
   return result;
 }

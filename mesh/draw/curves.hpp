@@ -9,29 +9,27 @@
 #include <vector>
 
 #include "leonhard/mesh/draw/colour.hpp"
+#include "leonhard/mesh/draw/line_style.hpp"
 #include "leonhard/mesh/draw/picture.hpp"
 
 /// Curves and histograms. Format, errors and determinism as in mesh_picture.hpp.
 namespace leonhard::draw {
 
-enum class LineStyle { solid, dashed, dotted, dash_dotted, none };
-enum class MarkerStyle { none, circle, square, triangle, diamond, cross };
-
 /// One curve. A point that is not finite, or not positive on a logarithmic axis, interrupts the line: the history
 /// of a run that diverged can be drawn.
 struct Curve {
-  std::string name;  ///< in the legend; empty: not there
-  std::vector<double> x, y;
+  std::string name{};  ///< in the legend; empty: not there
+  std::vector<double> x{}, y{};
   LineStyle line = LineStyle::solid;
   MarkerStyle marker = MarkerStyle::none;
-  std::optional<Colour> colour;  ///< default: the next of line_colour
+  std::optional<Colour> colour{};  ///< default: the next of line_colour
 };
 
 struct AxesOptions {
-  std::string title, x_label, y_label;
+  std::string title{}, x_label{}, y_label{};
   bool invert_y = false;  ///< low values at the top, as is the custom for a pressure coefficient
   bool log_x = false, log_y = false;
-  std::optional<Range> x_range, y_range;        ///< default: the data with a little air
+  std::optional<Range> x_range{}, y_range{};        ///< default: the data with a little air
   LegendPlace legend = LegendPlace::automatic;  ///< automatic: none for a curve alone
 };
 
@@ -40,8 +38,8 @@ void draw_curves(const std::filesystem::path& path, std::span<const Curve> curve
                  const PictureSize& size = {});
 
 struct CurvePanel {
-  std::vector<Curve> curves;
-  AxesOptions axes;
+  std::vector<Curve> curves{};
+  AxesOptions axes{};
 };
 
 /// Several pairs of axes in one picture, row by row, `columns` in a row: a convergence history with the residual

@@ -26,41 +26,41 @@ struct Stroke {
 /// Shapes in one plane, drawn in this order: areas, paths, circles, dots, words. Coordinates are the plane's.
 struct Diagram {
   struct Area {
-    std::vector<Point2> corners;
+    std::vector<Point2> corners{};
     Colour colour{1, 1, 1};
-    std::optional<double> value;  ///< colours the area by the diagram's scale instead
+    std::optional<double> value{};  ///< colours the area by the diagram's scale instead
   };
   struct Path {
-    std::vector<Point2> points;
-    Stroke stroke;
+    std::vector<Point2> points{};
+    Stroke stroke{};
     bool closed = false;
   };
   struct Circle {
-    Point2 centre;
+    Point2 centre{};
     double radius{};
-    Stroke stroke;
+    Stroke stroke{};
   };
   struct Dot {
-    Point2 at;
+    Point2 at{};
     Colour colour{0.1, 0.1, 0.1};
     double size = 1;  ///< of a vertex's dot
   };
   struct Words {
-    Point2 at;
-    std::string words;
-    Vec2 shift;  ///< in text heights, to the right and up: away from what it names
+    Point2 at{};
+    std::string words{};
+    Vec2 shift{};  ///< in text heights, to the right and up: away from what it names
     Colour colour{0.1, 0.1, 0.1};
   };
 
-  std::string title;
-  std::optional<Box> region;  ///< what is shown at least; default: all but circles, with a little air
+  std::string title{};
+  std::optional<Box> region{};  ///< what is shown at least; default: all but circles, with a little air
   bool axes = false;
-  std::string scale_label;  ///< beside the colour bar of the areas' values
-  std::vector<Area> areas;
-  std::vector<Path> paths;
-  std::vector<Circle> circles;
-  std::vector<Dot> dots;
-  std::vector<Words> words;
+  std::string scale_label{};  ///< beside the colour bar of the areas' values
+  std::vector<Area> areas{};
+  std::vector<Path> paths{};
+  std::vector<Circle> circles{};
+  std::vector<Dot> dots{};
+  std::vector<Words> words{};
 
   void add_segment(Point2 a, Point2 b, const Stroke& stroke = {});
   /// An arrow from a to b: the segment and its head.

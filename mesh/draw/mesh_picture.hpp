@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "leonhard/mesh/draw/colour.hpp"
+#include "leonhard/mesh/draw/field_options.hpp"
 #include "leonhard/mesh/draw/picture.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -29,9 +30,9 @@ enum class MeshFill {
 };
 
 struct MeshOptions {
-  PictureSize size;
-  View view;
-  std::string title;
+  PictureSize size{};
+  View view{};
+  std::string title{};
   std::string x_label = "x", y_label = "y";
   MeshFill fill = MeshFill::none;
   bool colour_boundaries = true;  ///< one colour a marker, with a legend of the mesh's names; else all dark
@@ -42,24 +43,6 @@ struct MeshOptions {
 /// The mesh: edges thin, boundaries thick.
 void draw_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const MeshOptions& options = {});
 
-struct FieldOptions {
-  PictureSize size;
-  View view;
-  std::string title;
-  std::string x_label = "x", y_label = "y";
-  std::string value_label;  ///< beside the colour bar, unit included
-  ColourMap colour_map = ColourMap::sequential;
-  std::optional<Range> value_range;  ///< default: the values in view; values beyond get the end colours
-  /// About how many, 1 to 200: levels are 1, 2, 2.5 or 5 times a power of ten apart, on multiples of that, or
-  /// half-way between them where much of the picture is a plateau on such a value (a free stream of Mach 2).
-  int bands = 20;
-  std::vector<double>
-      levels;  ///< or the levels themselves, strictly rising; those beyond the range do not show
-  bool contour_lines = true;
-  std::optional<double> dashed_below;  ///< contour lines of levels below this value are dashed
-  bool show_mesh = false;
-};
-
 /// A field: filled bands between levels, contour lines over them, a colour bar.
 ///
 /// vertex_values  one finite value a vertex, linear on each triangle (so bands and lines are exact, not sampled)
@@ -67,9 +50,9 @@ void draw_field(const std::filesystem::path& path, const TriangleMesh& mesh,
                 std::span<const double> vertex_values, const FieldOptions& options = {});
 
 struct PartitionOptions {
-  PictureSize size;
-  View view;
-  std::string title;
+  PictureSize size{};
+  View view{};
+  std::string title{};
   std::string x_label = "x", y_label = "y";
   bool show_mesh = true;
 };

@@ -14,12 +14,12 @@ namespace leonhard::draw {
 /// Where a square sparse matrix is not zero, as compressed sparse rows: the columns of row i are
 /// links[offsets[i]] .. links[offsets[i + 1] - 1], in any order. The spans must outlive the call only.
 struct MatrixPattern {
-  std::span<const std::uint32_t> offsets;  ///< rows + 1, from 0, never falling, ending at links.size()
-  std::span<const std::uint32_t> links;    ///< columns, below the number of rows
+  std::span<const std::uint32_t> offsets{};  ///< rows + 1, from 0, never falling, ending at links.size()
+  std::span<const std::uint32_t> links{};    ///< columns, below the number of rows
   std::span<const std::uint32_t>
-      order;                 ///< order[new] = old: rows and columns so renumbered; empty: as they are
-  std::string title;         ///< "reverse Cuthill-McKee"
-  std::string subtitle;      ///< "bandwidth 5305, envelope 2,159,155"
+      order{};                 ///< order[new] = old: rows and columns so renumbered; empty: as they are
+  std::string title{};         ///< "reverse Cuthill-McKee"
+  std::string subtitle{};      ///< "bandwidth 5305, envelope 2,159,155"
   bool add_diagonal = true;  ///< a graph does not list the diagonal, the matrix has it
 };
 

@@ -19,14 +19,14 @@ struct PictureSize {
 
 /// A rectangle of the mesh's plane, low < high in both directions.
 struct Box {
-  Point2 low, high;
+  Point2 low{}, high{};
   friend bool operator==(const Box&, const Box&) = default;
 };
 
 /// What of the mesh is shown. Both directions have one scale, so that the picture may show more than the region
 /// on two sides, never less. Without a region: the whole mesh.
 struct View {
-  std::optional<Box> region;
+  std::optional<Box> region{};
 };
 
 /// Bounds of values, low < high.

@@ -31,11 +31,11 @@ enum class TetFill {
 };
 
 struct TetPictureOptions {
-  PictureSize size;
-  View3 view;
-  std::string title;
+  PictureSize size{};
+  View3 view{};
+  std::string title{};
   CutStyle cut = CutStyle::crinkled;
-  std::optional<CutPlane> cut_plane;  ///< default: cut_through_middle of the mesh's box
+  std::optional<CutPlane> cut_plane{};  ///< default: cut_through_middle of the mesh's box
   bool show_edges = true;
   bool show_axes = true;     ///< three small arrows, x, y and z
   bool show_caption = true;  ///< below: how many tetrahedra, and what the cut removed
@@ -48,9 +48,9 @@ void draw_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh, TetFi
 
 /// How the values of a field become colours.
 struct TetFieldScale {
-  std::string label;  ///< beside the colour bar, unit included
+  std::string label{};  ///< beside the colour bar, unit included
   ColourMap colour_map = ColourMap::sequential;
-  std::optional<Range> range;  ///< default: the values in view; values beyond get the end colours
+  std::optional<Range> range{};  ///< default: the values in view; values beyond get the end colours
   int bands = 20;              ///< about how many, 1 to 200
 };
 

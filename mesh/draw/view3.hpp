@@ -16,15 +16,15 @@ struct View3 {
 
 /// The box of a mesh's vertices.
 struct Box3 {
-  Point3 low, high;
+  Point3 low{}, high{};
   friend bool operator==(const Box3&, const Box3&) = default;
 };
 
 /// A plane that cuts a mesh open: what lies on the side to which the normal points is removed. The normal need not have
 /// length 1.
 struct CutPlane {
-  Point3 point;
-  Vec3 normal;
+  Point3 point{};
+  Vec3 normal{};
   friend bool operator==(const CutPlane&, const CutPlane&) = default;
 };
 

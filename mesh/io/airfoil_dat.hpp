@@ -17,8 +17,8 @@ namespace leonhard {
 /// edge points.back() -> points.front() belongs to the base (it is the whole base unless the base has points
 /// of its own).
 struct AirfoilCoordinates {
-  std::string name;  ///< the file's first line, or the file's name without extension
-  std::vector<Point2> points;
+  std::string name{};  ///< the file's first line, or the file's name without extension
+  std::vector<Point2> points{};
   bool blunt_trailing_edge = false;
 };
 

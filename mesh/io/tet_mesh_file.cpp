@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
 
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
@@ -26,12 +27,15 @@ TetMeshFile read_tet_mesh(const std::filesystem::path& path) {
   return read_tetgen_files(path);
 }
 
-void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh) {
+void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh,
+                    const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
   const std::string extension = known_extension(path, tet_mesh_extensions(), "tetrahedral mesh");
   mesh::require_ids_in_range(mesh);
+  if (extension == ".vtu") return write_vtu(path, mesh, point_fields, cell_fields);
+  if (extension == ".msh") return write_gmsh(path, mesh, {}, point_fields, cell_fields);
+  if (!point_fields.empty() || !cell_fields.empty())
+    throw InputError(path.string(), extension + " files carry no fields", "write a .vtu or a .msh file");
   if (extension == ".su2") return write_su2(path, mesh);
-  if (extension == ".vtu") return write_vtu(path, mesh);
-  if (extension == ".msh") return write_gmsh(path, mesh);
   if (extension == ".mesh") return write_medit(path, mesh);
   return write_tetgen_files(path, mesh);
 }

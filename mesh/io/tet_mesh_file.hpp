@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "leonhard/mesh/io/file_contents.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 
-namespace leonhard {
-
-/// What a reader of tetrahedral meshes returns: a mesh that passes `mesh::validate` and `mesh::validate_embedding`, and
-/// in words what had to be decided on the way (tetrahedra turned over, boundary faces without a marker, ...).
-struct TetMeshFile {
-  TetMesh mesh;
-  std::vector<std::string> warnings;
-};
-
-namespace io {
+namespace leonhard::io {
 
 /// Read a tetrahedral mesh, format by extension: .node, .ele, .face or .neigh (TetGen's files of one stem), .mesh
 /// (Medit's), .vtu, .su2, .msh (Gmsh's).
@@ -29,12 +21,14 @@ namespace io {
 /// Write a tetrahedral mesh, format by extension as in read_tet_mesh. The target appears whole or not at all. The mesh
 /// must be valid (`mesh::validate`).
 ///
-/// throws InputError for an unknown extension or a mesh that the format cannot carry (see the format's header),
-/// OutputError if the file cannot be written
-void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh);
+/// fields  values at vertices and in tetrahedra, for .vtu and .msh only; read_tet_mesh gives them back to the last bit
+/// throws InputError for an unknown extension, a mesh or fields that the format cannot carry (see the format's header),
+/// fields that do not fit the mesh; OutputError if the file cannot be written
+void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh,
+                    const std::vector<PointField>& point_fields = {},
+                    const std::vector<CellField>& cell_fields = {});
 
 /// ".su2", ".vtu", ...: what read_tet_mesh and write_tet_mesh know.
 [[nodiscard]] const std::vector<std::string>& tet_mesh_extensions();
 
-}  // namespace io
-}  // namespace leonhard
+}  // namespace leonhard::io

@@ -1,47 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "leonhard/mesh/io/mesh_file.hpp"
-#include "leonhard/mesh/io/tet_mesh_file.hpp"
+#include "leonhard/mesh/io/file_contents.hpp"
 
-namespace leonhard {
-
-/// Values at the vertices of a mesh, e.g. {"mach", 1, ...} or {"velocity", 2, ...}.
-struct PointField {
-  std::string name;
-  std::size_t components = 1;
-  std::vector<double> values;  ///< components numbers a vertex, vertex after vertex
-};
-
-namespace io {
+namespace leonhard::io {
 
 /// Write a VTK XML unstructured grid (.vtu): binary, appended raw, zlib-compressed where Leonhard was built
 /// with zlib, 64-bit headers. ParaView opens it; read_vtu gives the same mesh back: points to the last bit,
-/// triangles, regions, markers, names, boundary and constraints.
+/// triangles, regions, markers, names, boundary, constraints, and fields.
 ///
 /// Point data: one array a field (two components are written as three with a zero, since VTK knows only
-/// three-component vectors) and `marker`. Cell data: `region`. Field data: `leonhard_boundary` and
+/// three-component vectors, and with the attribute leonhard_components="2", which other programs pass over) and
+/// `marker`. Cell data: one array a field and `region`. Field data: `leonhard_boundary` and
 /// `leonhard_constraints` (from, to, marker an edge), `leonhard_marker_numbers`, and `leonhard_marker_names`
 /// (UTF-8, each name ended by a zero byte).
 ///
-/// throws InputError if a field's size does not fit the mesh or its name is empty, repeated or `marker`;
-/// OutputError if the file cannot be written
+/// fields  one value each a vertex or cell and component; any doubles, NaN too
+/// throws InputError if a field's size does not fit the mesh or its name is empty, repeated among those of its kind, or
+/// `marker` (of vertices) or `region` (of cells); OutputError if the file cannot be written
 void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
-               const std::vector<PointField>& fields = {});
+               const std::vector<PointField>& point_fields = {},
+               const std::vector<CellField>& cell_fields = {});
 
 /// The bytes that write_vtu writes.
-[[nodiscard]] std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& fields = {});
+[[nodiscard]] std::string format_vtu(const TriangleMesh& mesh,
+                                     const std::vector<PointField>& point_fields = {},
+                                     const std::vector<CellField>& cell_fields = {});
 
 /// Read a .vtu of one piece whose cells are triangles (quadrilaterals are split, lines are taken as marked
 /// boundary edges): what write_vtu writes, and the ascii, base64 and raw appended variants that ParaView and
-/// meshio write, compressed with zlib or not. Other point fields are skipped.
+/// meshio write, compressed with zlib or not.
+///
+/// All other arrays of point and cell data come as fields, integers as doubles; those of texts, without a name, or with a
+/// name that came before or that write_vtu keeps for itself are left out, which a warning tells.
 ///
 /// Files by other programs carry no boundary markers: every boundary edge without a line cell gets the marker
 /// 1, "boundary", which a warning tells. Vertices that no cell uses are refused.
@@ -62,8 +58,10 @@ void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
 /// The same for tetrahedral meshes: cells of type 10; field data `leonhard_boundary` and `leonhard_interfaces` (three
 /// vertices and the marker of a face). throws as write_vtu of triangles
 void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
-               const std::vector<PointField>& fields = {});
-[[nodiscard]] std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& fields = {});
+               const std::vector<PointField>& point_fields = {},
+               const std::vector<CellField>& cell_fields = {});
+[[nodiscard]] std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& point_fields = {},
+                                     const std::vector<CellField>& cell_fields = {});
 
 /// Read a .vtu of one piece whose cells are tetrahedra; triangles are marked faces, lines and points are left out. Files
 /// by other programs: a boundary face without a triangle cell gets a marker (see tet_soup.hpp), and triangles take theirs
@@ -73,5 +71,4 @@ void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
 [[nodiscard]] TetMeshFile read_tet_vtu(const std::filesystem::path& path);
 [[nodiscard]] TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source);
 
-}  // namespace io
-}  // namespace leonhard
+}  // namespace leonhard::io

@@ -4,8 +4,6 @@
 #include <bit>
 #include <cstdint>
 
-#include "leonhard/mesh/fingerprint.hpp"
-
 namespace leonhard::mesh {
 
 /// A bijection of 64-bit words in which every input bit changes every output bit with probability near a half:
@@ -24,7 +22,8 @@ class Hash128 {
     hi_ = mixed(hi_ ^ word) + 0x9e3779b97f4a7c15U;  // 2^64 / golden ratio: a word 0 changes the state too
     lo_ = mixed(lo_ + std::rotl(word, 32) * 0xd1342543de82ef95U + before);
   }
-  [[nodiscard]] Fingerprint value() const { return {hi_, lo_}; }
+  [[nodiscard]] std::uint64_t hi() const { return hi_; }
+  [[nodiscard]] std::uint64_t lo() const { return lo_; }
 
  private:
   std::uint64_t hi_ = 0x6c656f6e68617264U;  // "leonhard" in ASCII

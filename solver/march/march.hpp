@@ -6,7 +6,7 @@
 
 #include "leonhard/solver/march/monitor.hpp"
 #include "leonhard/solver/residual.hpp"
-#include "leonhard/solver/steady.hpp"
+#include "leonhard/solver/steady_options.hpp"
 
 namespace leonhard::solver {
 
@@ -20,7 +20,7 @@ struct March {
   ConvergenceMonitor& book;
   std::stop_token stop;
 
-  EulerResidual operator_;
+  EulerResidual spatial;
   PerId<VertexId, State> state;
   std::vector<double> residual;  ///< of state
   double first_norm = 0, norm = 0;

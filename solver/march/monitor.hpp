@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/solver/steady.hpp"
+#include "leonhard/solver/problem.hpp"
+#include "leonhard/solver/steady_options.hpp"
+#include "leonhard/solver/steady_result.hpp"
 
 namespace leonhard::solver {
 

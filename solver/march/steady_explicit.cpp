@@ -18,7 +18,7 @@ bool three_stages(March& march, const std::vector<double>& before, const std::ve
                   std::vector<double>& now) {
   now.resize(before.size());
   for (int stage = 0; stage < 3; ++stage) {
-    if (stage > 0) march.operator_.evaluate(march.state, march.residual);
+    if (stage > 0) march.spatial.evaluate(march.state, march.residual);
     const double share = stage_share[stage] * march.cfl;
     for (std::size_t v = 0; v < march.state.size(); ++v) {
       const double step = share / speeds[v];
@@ -37,17 +37,17 @@ Verdict march_explicit(March& march) {
   std::vector<double> before, now, speeds;
   to_conserved(march.problem.gas, march.state, before);
   for (int number = 1;; ++number) {
-    march.operator_.wave_speed_sums(march.state, speeds);
+    march.spatial.wave_speed_sums(march.state, speeds);
     while (!three_stages(march, before, speeds, now)) {
       ++march.rejected;
       march.bad_vertex = find_bad_vertex(march.problem, march.state, {});
       march.cfl *= 0.5;
       (void)to_states(march.problem.gas, before, march.state);
-      march.operator_.evaluate(march.state, march.residual);
+      march.spatial.evaluate(march.state, march.residual);
       if (march.cfl < least_cfl) return Verdict::diverged;
       if (march.stop.stop_requested()) return Verdict::stopped;
     }
-    march.operator_.evaluate(march.state, march.residual);
+    march.spatial.evaluate(march.state, march.residual);
     march.norm = residual_norm(march.residual, march.state.size());
     before.swap(now);
     if (!std::isfinite(march.norm)) {

@@ -52,7 +52,7 @@ class ImplicitMarch {
  public:
   explicit ImplicitMarch(March& march)
       : march_(march),
-        pattern_(block_pattern(march.operator_.plan())),
+        pattern_(block_pattern(march.spatial.plan())),
         system_(pattern_.row_offset, pattern_.column) {
     to_conserved(march.problem.gas, march.state, q_);
     step_.resize(q_.size());
@@ -103,9 +103,9 @@ class ImplicitMarch {
   }
 
   bool assemble() {
-    march_.operator_.jacobian(march_.state, blocks_);
-    march_.operator_.wave_speed_sums(march_.state, speeds_);
-    const EdgePlan& plan = march_.operator_.plan();
+    march_.spatial.jacobian(march_.state, blocks_);
+    march_.spatial.wave_speed_sums(march_.state, speeds_);
+    const EdgePlan& plan = march_.spatial.plan();
     for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
       speeds_[v] /= march_.cfl;
       double* block = blocks_.data() + 16 * std::size_t{plan.diagonal_block(v)};
@@ -131,7 +131,7 @@ class ImplicitMarch {
     trial_.resize(q_.size());
     for (std::size_t i = 0; i < q_.size(); ++i) trial_[i] = q_[i] + e * x[i];
     (void)to_states(march_.problem.gas, trial_, trial_state_);
-    march_.operator_.evaluate(trial_state_, trial_residual_);
+    march_.spatial.evaluate(trial_state_, trial_residual_);
     for (std::size_t i = 0; i < q_.size(); ++i)
       y[i] = (trial_residual_[i] - march_.residual[i]) / e + speeds_[i / 4] * x[i];
   }
@@ -174,7 +174,7 @@ class ImplicitMarch {
       march_.bad_vertex = find_bad_vertex(march_.problem, trial_state_, {});
       return false;
     }
-    march_.operator_.evaluate(trial_state_, trial_residual_);
+    march_.spatial.evaluate(trial_state_, trial_residual_);
     trial_norm_ = residual_norm(trial_residual_, march_.state.size());
     if (!std::isfinite(trial_norm_))
       march_.bad_vertex = find_bad_vertex(march_.problem, trial_state_, trial_residual_);

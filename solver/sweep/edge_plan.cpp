@@ -26,12 +26,12 @@ void list_neighbours(const EdgeStructure& edges, EdgePlan& plan) {
     plan.neighbour[next[a.index()]++] = static_cast<std::uint32_t>(b.index());
     plan.neighbour[next[b.index()]++] = static_cast<std::uint32_t>(a.index());
   }
-  plan.diagonal_.resize(plan.vertex_count);
+  plan.diagonal.resize(plan.vertex_count);
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
     const auto first = plan.neighbour.begin() + plan.offset[v],
                last = plan.neighbour.begin() + plan.offset[v + 1];
     std::sort(first, last);
-    plan.diagonal_[v] =
+    plan.diagonal[v] =
         static_cast<std::uint32_t>(plan.offset[v] + v + (std::lower_bound(first, last, v) - first));
   }
 }
@@ -83,7 +83,7 @@ void deal_out_vertices(EdgePlan& plan) {
 /// One part's list of edges, filled up to whole batches.
 class EdgeList {
  public:
-  EdgeList(const TriangleMesh& mesh, const MedianDual& dual, EdgePlan& plan)
+  EdgeList(const TriangleMesh& mesh, const DualMetrics<2>& dual, EdgePlan& plan)
       : mesh_(mesh), dual_(dual), plan_(plan) {}
 
   void add(std::uint32_t part, EdgeId edge, VertexId from, VertexId to) {
@@ -129,11 +129,11 @@ class EdgeList {
   }
 
   const TriangleMesh& mesh_;
-  const MedianDual& dual_;
+  const DualMetrics<2>& dual_;
   EdgePlan& plan_;
 };
 
-void list_edges(const TriangleMesh& mesh, const EdgeStructure& edges, const MedianDual& dual,
+void list_edges(const TriangleMesh& mesh, const EdgeStructure& edges, const DualMetrics<2>& dual,
                 EdgePlan& plan) {
   const std::vector<std::uint32_t>& part_of = plan.part_of;
   EdgeList list(mesh, dual, plan);
@@ -178,10 +178,10 @@ SweepMesh EdgePlan::view() const {
 EdgePlan make_edge_plan(const TriangleMesh& mesh, std::span<const std::uint32_t> part_of,
                         std::uint32_t parts) {
   const EdgeStructure edges = mesh::build_edges(mesh);
-  const MedianDual dual = mesh::median_dual(mesh, edges);
+  const DualMetrics<2> dual = mesh::median_dual(mesh, edges);
   EdgePlan plan;
   plan.vertex_count = mesh.vertex_count();
-  plan.area = dual.area.flat();
+  plan.area = dual.volume.flat();
   list_neighbours(edges, plan);
   plan.slot.resize(plan.neighbour.size());
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) fit_gradient(mesh, plan, v);

@@ -23,7 +23,8 @@ struct EdgePlan {
   std::vector<double> area;           ///< of each control volume
   std::vector<std::uint32_t> offset;  ///< neighbours of v: offset[v] ... offset[v + 1] - 1, ascending
   std::vector<std::uint32_t> neighbour;
-  std::vector<StencilSlot> slot;  ///< one a neighbour
+  std::vector<StencilSlot> slot;          ///< one a neighbour
+  std::vector<std::uint32_t> diagonal;    ///< one a vertex: see diagonal_block
 
   std::vector<PartRange> parts;
   std::vector<std::uint32_t> part_of;        ///< one a vertex
@@ -37,15 +38,13 @@ struct EdgePlan {
   [[nodiscard]] std::size_t padded_count() const { return vertex_count + rubbish_stride * parts.size(); }
   /// Position of the diagonal block of row v, and of the block of a neighbour slot s of v, in a block matrix whose rows
   /// hold the neighbours and v itself in ascending order.
-  [[nodiscard]] std::uint32_t diagonal_block(std::uint32_t v) const { return diagonal_[v]; }
+  [[nodiscard]] std::uint32_t diagonal_block(std::uint32_t v) const { return diagonal[v]; }
   [[nodiscard]] std::uint32_t neighbour_block(std::uint32_t v, std::uint32_t s) const {
     return s + v + (neighbour[s] > v ? 1u : 0u);
   }
   /// The slot of a neighbour of v. Cost O(log degree).
   [[nodiscard]] std::uint32_t slot_to(std::uint32_t v, std::uint32_t other) const;
   [[nodiscard]] std::size_t block_count() const { return neighbour.size() + vertex_count; }
-
-  std::vector<std::uint32_t> diagonal_;
 };
 
 /// Gradients are least squares over the edge neighbours, each equation weighted by the inverse of the distance

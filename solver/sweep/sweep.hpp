@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "leonhard/solver/kinds.hpp"
+
 namespace leonhard::solver {
 
 /// How a neighbour enters a vertex's gradient, and the way to the middle of the edge between them.
@@ -45,12 +47,10 @@ struct SweepMesh {
   const EdgeMetric* metric;
 };
 
-enum class SweepLimiter { none, venkatakrishnan, barth_jespersen };
-
 struct SweepSettings {
   double gamma = 1.4;
   double entropy_fix = 0.05;
-  SweepLimiter limiter = SweepLimiter::none;
+  LimiterKind limiter = LimiterKind::none;
   const double* limiter_scale2 = nullptr;  ///< epsilon^2 of Venkatakrishnan's limiter, one a vertex
 };
 

@@ -43,11 +43,11 @@ void limited_gradients(const SweepMesh& mesh, const PartRange& part, const Sweep
     const std::uint32_t v = mesh.part_vertices[k];
     const Stencil s = look_around(mesh, v, state);
     Lanes share = constant<Lanes>(1);
-    if (settings.limiter == SweepLimiter::venkatakrishnan) {
+    if (settings.limiter == LimiterKind::venkatakrishnan) {
       const Lanes scale2 = constant<Lanes>(settings.limiter_scale2[v]);
       share = smaller<Lanes>(limit_venkatakrishnan<Lanes>(s.room_up, s.step_up, scale2),
                              limit_venkatakrishnan<Lanes>(s.room_down, s.step_down, scale2));
-    } else if (settings.limiter == SweepLimiter::barth_jespersen) {
+    } else if (settings.limiter == LimiterKind::barth_jespersen) {
       share = smaller<Lanes>(limit_barth_jespersen<Lanes>(s.room_up, s.step_up),
                              limit_barth_jespersen<Lanes>(s.room_down, s.step_down));
     }

@@ -111,7 +111,7 @@ TEST_CASE("a_dry_run_prints_every_key_and_writes_nothing") {
   CHECK_FALSE(std::filesystem::exists(scratch.path() / "out"));
 }
 
-TEST_CASE("an_interrupt_ends_the_march_soon_writes_what_it_has_and_is_code_4") {
+TEST_CASE("an_interrupt_ends_the_march_within_seconds_writes_what_it_has_and_is_code_4") {
   const ScratchFolder scratch;
   // Explicit and out of reach: it would march for minutes.
   scratch.write(
@@ -130,8 +130,11 @@ TEST_CASE("an_interrupt_ends_the_march_soon_writes_what_it_has_and_is_code_4") {
   }
   std::this_thread::sleep_for(std::chrono::seconds(3));
   kill(child, SIGINT);
+  const auto asked = std::chrono::steady_clock::now();
   int status = 0;
   waitpid(child, &status, 0);
+  // The march ends within a tenth of a second; the rest is drawing the pictures of what there is.
+  CHECK(std::chrono::steady_clock::now() - asked < std::chrono::seconds(20));
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 4);
   CHECK(json::parse(text_of(scratch.path() / "out/report.json"))["outcome"] == "stopped");

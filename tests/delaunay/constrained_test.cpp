@@ -17,32 +17,6 @@ using delaunay::triangulate;
 using delaunay::Triangulation;
 using kernel::orient2d;
 
-bool cross(Point2 a, Point2 b, Point2 c, Point2 d) {
-  return orient2d(a, b, c) * orient2d(a, b, d) == Sign::negative &&
-         orient2d(c, d, a) * orient2d(c, d, b) == Sign::negative;
-}
-
-/// Points of a small grid in a box, joined by random segments of which none cross: collinear and cocircular points,
-/// overlaps, T-junctions and hanging segments in every one of them.
-Pslg random_graph(std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const auto below = [&](std::uint64_t n) { return random() % n; };
-  Pslg pslg;
-  shapes::add_loop(pslg, shapes::box(0, 0, 9, 9), 4);
-  for (int i = 0; i < 25; ++i) {
-    const auto x = static_cast<double>(below(10));
-    pslg.points.push_back({x, static_cast<double>(below(10))});
-  }
-  for (int i = 0; i < 60; ++i) {
-    const Pslg::Segment s{below(pslg.points.size()), below(pslg.points.size()), 7};
-    const bool crosses = std::any_of(pslg.segments.begin(), pslg.segments.end(), [&](const Pslg::Segment& t) {
-      return cross(pslg.points[s.from], pslg.points[s.to], pslg.points[t.from], pslg.points[t.to]);
-    });
-    if (!crosses) pslg.segments.push_back(s);
-  }
-  return pslg;
-}
-
 using EdgeSet = std::set<std::pair<Point2, Point2>>;
 
 std::pair<Point2, Point2> sorted(Point2 a, Point2 b) { return {std::min(a, b), std::max(a, b)}; }
@@ -72,7 +46,7 @@ EdgeSet expected_pieces(const Pslg& pslg, const TriangleMesh& mesh) {
 TEST_CASE("segments_become_edges_cut_at_every_vertex_on_them_and_nothing_else_is_marked") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
-    const Pslg pslg = random_graph(seed);
+    const Pslg pslg = shapes::random_graph(seed);
     const Triangulation result = triangulate(pslg);
     shapes::require_valid(result.mesh);
     CHECK(marked_edges(result.mesh) == expected_pieces(pslg, result.mesh));
@@ -82,7 +56,7 @@ TEST_CASE("segments_become_edges_cut_at_every_vertex_on_them_and_nothing_else_is
 TEST_CASE("no_vertex_in_a_circumcircle_is_visible_from_its_triangle_by_brute_force") {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     CAPTURE(seed);
-    const Pslg pslg = random_graph(seed);
+    const Pslg pslg = shapes::random_graph(seed);
     const TriangleMesh mesh = triangulate(pslg).mesh;
     for (const auto& [i, j, k] : mesh.corners) {
       const Point2 a = mesh.points[i], b = mesh.points[j], c = mesh.points[k];
@@ -104,7 +78,7 @@ TEST_CASE("no_vertex_in_a_circumcircle_is_visible_from_its_triangle_by_brute_for
 TEST_CASE("the_order_of_points_and_segments_does_not_change_the_triangles") {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
-    const Pslg pslg = random_graph(seed);
+    const Pslg pslg = shapes::random_graph(seed);
     const Fingerprint expected = mesh::fingerprint(triangulate(pslg).mesh);
     for (std::uint64_t shuffle = 1; shuffle <= 3; ++shuffle)
       CHECK(mesh::fingerprint(triangulate(shapes::shuffled(pslg, shuffle)).mesh) == expected);

@@ -28,7 +28,7 @@ std::array<IdRaw, 3> sorted(std::array<IdRaw, 3> corners) {
 Triangles real_triangles(const GhostTriangulation& in) {
   Triangles all;
   for (std::size_t i = 0; i < in.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const delaunay::AnyTriangleId t = delaunay::AnyTriangleId::from(i);
     if (!in.is_ghost(t)) all.insert(sorted({in.corner(t, 0).raw, in.corner(t, 1).raw, in.corner(t, 2).raw}));
   }
   return all;

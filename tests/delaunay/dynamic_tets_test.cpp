@@ -20,9 +20,9 @@ namespace leonhard {
 namespace {
 
 using delaunay::DynamicTetrahedralization;
-using delaunay::SpaceExtent;
-using delaunay::SpaceLocation;
-using Kind = SpaceLocation::Kind;
+using delaunay::Extent;
+using delaunay::TetLocation;
+using Kind = TetLocation::Kind;
 
 /// Spaces, and what spans none.
 std::vector<shapes3::NamedPoints> all_families() {
@@ -53,9 +53,9 @@ std::vector<Point3> living(const DynamicTetrahedralization& sites) {
 void require_same_from_scratch(const DynamicTetrahedralization& sites) {
   require_valid(sites);
   const delaunay::Tetrahedralization made = delaunay::tetrahedralize(living(sites));
-  CHECK((made.outcome == delaunay::TetrahedralizeOutcome::done) == (sites.extent() == SpaceExtent::space));
+  CHECK((made.outcome == delaunay::TetrahedralizeOutcome::done) == (sites.extent() == Extent::space));
   const TetMesh copy = sites.to_mesh().mesh;
-  if (sites.extent() == SpaceExtent::space) {
+  if (sites.extent() == Extent::space) {
     for (const auto& broken : {mesh::validate(copy), mesh::validate_delaunay(copy)}) {
       INFO(broken.value_or(""));
       REQUIRE_FALSE(broken.has_value());
@@ -122,7 +122,7 @@ TEST_CASE("every_family_can_be_taken_down_to_nothing_in_any_order") {
         if (i % 12 == 0 || sites.size() < 12) require_valid(sites);
         if (i % 47 == 0 || sites.size() < 7) require_same_from_scratch(sites);
       }
-      CHECK(sites.extent() == SpaceExtent::nothing);
+      CHECK(sites.extent() == Extent::nothing);
     }
   }
 }
@@ -182,28 +182,28 @@ TEST_CASE("random_insertions_and_removals_keep_ids_and_give_the_tetrahedra_from_
 
 TEST_CASE("the_extent_rises_and_falls_with_the_points") {
   DynamicTetrahedralization sites;
-  CHECK(sites.extent() == SpaceExtent::nothing);
+  CHECK(sites.extent() == Extent::nothing);
   const VertexId first = sites.insert({0, 0, 0}).vertex;
-  CHECK(sites.extent() == SpaceExtent::point);
+  CHECK(sites.extent() == Extent::point);
   for (int i = 5; i > 0; --i) sites.insert({2.0 * i, 1.0 * i, 3.0 * i});
-  CHECK(sites.extent() == SpaceExtent::line);
+  CHECK(sites.extent() == Extent::line);
   const VertexId beside = sites.insert({1, 0, 0}).vertex;
-  CHECK(sites.extent() == SpaceExtent::plane);
+  CHECK(sites.extent() == Extent::plane);
   CHECK(sites.neighbours(beside).empty());
   CHECK(sites.to_mesh().mesh == TetMesh{});
   const VertexId above = sites.insert({0, 1, 0}).vertex;
-  CHECK(sites.extent() == SpaceExtent::space);
+  CHECK(sites.extent() == Extent::space);
   require_same_from_scratch(sites);
   const VertexId below = sites.insert({0, -1, 0}).vertex;
   require_same_from_scratch(sites);
   sites.remove(above);
-  CHECK(sites.extent() == SpaceExtent::space);
+  CHECK(sites.extent() == Extent::space);
   sites.remove(below);
-  CHECK(sites.extent() == SpaceExtent::plane);
+  CHECK(sites.extent() == Extent::plane);
   sites.remove(beside);
-  CHECK(sites.extent() == SpaceExtent::line);
+  CHECK(sites.extent() == Extent::line);
   sites.remove(first);
-  CHECK(sites.extent() == SpaceExtent::line);
+  CHECK(sites.extent() == Extent::line);
   require_same_from_scratch(sites);
 }
 
@@ -213,10 +213,10 @@ TEST_CASE("a_tip_upon_a_flat_face_can_be_removed") {
   DynamicTetrahedralization sites(points);
   const VertexId tip = sites.insert({1.25, 1.5, 1}).vertex;
   CHECK(sites.neighbours(tip).size() == 16);
-  const auto corners = sites.tetrahedra_at(tip);
+  const auto corners = sites.tets_at(tip);
   CHECK(corners.size() == 18);
   sites.remove(tip);
-  CHECK(sites.extent() == SpaceExtent::space);
+  CHECK(sites.extent() == Extent::space);
   require_same_from_scratch(sites);
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("views_agree_with_the_mesh") {
     const auto [mesh, mesh_vertex] = sites.to_mesh();
     std::set<std::pair<VertexId, VertexId>> from_tets, from_neighbours;
     std::size_t tets = 0, corners = 0;
-    for (const auto& tet : sites.tetrahedra()) {
+    for (const auto& tet : sites.tets()) {
       ++tets;
       for (const VertexId a : tet)
         for (const VertexId b : tet)
@@ -255,7 +255,7 @@ TEST_CASE("views_agree_with_the_mesh") {
     for (const MarkedFace& face : mesh.boundary) hull.insert(face.corners.begin(), face.corners.end());
     for (const VertexId v : sites.vertices()) {
       for (const VertexId w : sites.neighbours(v)) from_neighbours.insert({v, w});
-      for (const auto& tet : sites.tetrahedra_at(v)) {
+      for (const auto& tet : sites.tets_at(v)) {
         ++corners;
         CHECK(std::count(tet.begin(), tet.end(), v) == 1);
       }
@@ -292,7 +292,7 @@ TEST_CASE("bad_points_and_dead_vertices_are_refused_and_nothing_changes") {
   sites.remove(VertexId{5});
   CHECK_THROWS_WITH_AS(sites.remove(VertexId{5}), doctest::Contains("vertex 5"), InputError);
   CHECK_THROWS_AS((void)sites.neighbours(VertexId{5}), InputError);
-  CHECK_THROWS_AS((void)sites.tetrahedra_at(VertexId{5}), InputError);
+  CHECK_THROWS_AS((void)sites.tets_at(VertexId{5}), InputError);
   CHECK_THROWS_AS((void)sites.on_hull(VertexId{5}), InputError);
   CHECK(sites.insert(before[5]).vertex == VertexId{5});
   CHECK(living(sites) == before);
@@ -330,7 +330,7 @@ std::vector<Point3> queries(const DynamicTetrahedralization& sites, std::uint64_
     return Point3{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2};
   };
   for (const VertexId v : sites.vertices()) points.push_back(sites.point(v));
-  for (const auto& [a, b, c, d] : sites.tetrahedra()) {
+  for (const auto& [a, b, c, d] : sites.tets()) {
     const Point3 ab = half(sites.point(a), sites.point(b)), face = half(ab, sites.point(c));
     points.insert(points.end(), {ab, face, half(face, sites.point(d))});
   }
@@ -355,12 +355,12 @@ bool in_span_of(const std::vector<Point3>& points, const Point3& p) {
 }
 
 /// The only right answer, from a look at every tetrahedron.
-SpaceLocation brute_location(const DynamicTetrahedralization& sites, const Point3& p) {
+TetLocation brute_location(const DynamicTetrahedralization& sites, const Point3& p) {
   for (const VertexId v : sites.vertices())
     if (sites.point(v) == p) return {Kind::on_vertex, {v}};
-  if (sites.extent() != SpaceExtent::space)
+  if (sites.extent() != Extent::space)
     return {!sites.empty() && in_span_of(living(sites), p) ? Kind::in_span : Kind::outside, {}};
-  for (const auto& corners : sites.tetrahedra()) {
+  for (const auto& corners : sites.tets()) {
     std::vector<VertexId> carrier;
     bool inside = true;
     for (std::size_t i = 0; i < 4 && inside; ++i) {
@@ -372,7 +372,7 @@ SpaceLocation brute_location(const DynamicTetrahedralization& sites, const Point
     }
     if (!inside) continue;
     std::sort(carrier.begin(), carrier.end());
-    SpaceLocation at;
+    TetLocation at;
     at.kind = carrier.size() == 2   ? Kind::on_edge
               : carrier.size() == 3 ? Kind::on_face
                                     : Kind::in_tetrahedron;
@@ -407,7 +407,7 @@ TEST_CASE("location_in_space_is_that_of_brute_force_from_any_hint") {
   for (const DynamicTetrahedralization& sites : states()) {
     CAPTURE(sites.size());
     for (const Point3& p : queries(sites, 1)) {
-      const SpaceLocation expected = brute_location(sites, p);
+      const TetLocation expected = brute_location(sites, p);
       kinds.insert(expected.kind);
       CHECK(sites.locate(p) == expected);
       CHECK(sites.locate(p, any_hint(sites, random)) == expected);

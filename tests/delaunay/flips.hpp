@@ -62,8 +62,7 @@ inline std::vector<double> random_values(std::size_t n, unsigned seed) {
 inline TriangleMesh mesh_of(const delaunay::GhostTriangulation& in, const std::vector<Point2>& points) {
   PerId<TriangleId, std::array<VertexId, 3>> corners;
   std::vector<MarkedEdge> boundary;
-  for (std::size_t i = 0; i < in.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+  for (const delaunay::AnyTriangleId t : in.triangles()) {
     if (in.is_ghost(t))
       boundary.push_back({in.corner(t, 2), in.corner(t, 1), 1});
     else

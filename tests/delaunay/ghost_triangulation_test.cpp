@@ -19,7 +19,7 @@ using Triangles = std::set<std::set<IdRaw>>;
 Triangles real_triangles(const GhostTriangulation& in) {
   Triangles all;
   for (std::size_t i = 0; i < in.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const delaunay::AnyTriangleId t = delaunay::AnyTriangleId::from(i);
     if (!in.is_ghost(t)) all.insert({in.corner(t, 0).raw, in.corner(t, 1).raw, in.corner(t, 2).raw});
   }
   return all;
@@ -41,7 +41,8 @@ TEST_CASE("a_first_triangle_has_a_ghost_behind_each_side") {
   in.start(VertexId{0}, VertexId{1}, VertexId{2});
   CHECK_FALSE(in.validate());
   CHECK(in.triangle_count() == 4);
-  for (unsigned i = 0; i < 3; ++i) CHECK(in.is_ghost(in.triangle(in.twin(in.side(TriangleId{0}, i)))));
+  for (unsigned i = 0; i < 3; ++i)
+    CHECK(in.is_ghost(in.triangle(in.twin(in.side(delaunay::AnyTriangleId{0}, i)))));
 }
 
 TEST_CASE("a_ghost_triangle_filled_with_a_vertex_makes_one_real_triangle") {
@@ -89,7 +90,7 @@ TEST_CASE("a_cavity_over_an_edge_becomes_a_fan_of_four") {
 
 TEST_CASE("validate_finds_a_broken_link") {
   GhostTriangulation in = two_triangles();
-  in.set_corners(TriangleId{0}, VertexId{0}, VertexId{2}, VertexId{1});
+  in.set_corners(delaunay::AnyTriangleId{0}, VertexId{0}, VertexId{2}, VertexId{1});
   REQUIRE(in.validate());
   CHECK(in.validate()->find("triangle 0") != std::string::npos);
 }

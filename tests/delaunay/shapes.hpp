@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
 #include "leonhard/mesh/pslg.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
@@ -259,6 +260,33 @@ inline Pslg fan(int spokes, double degrees) {
     pslg.segments.push_back({centre, pslg.points.size() - 1, 5});
   }
   pslg.source = "fan";
+  return pslg;
+}
+
+/// Whether two segments have a point in common that is an end of neither.
+inline bool segments_cross(Point2 a, Point2 b, Point2 c, Point2 d) {
+  return kernel::orient2d(a, b, c) * kernel::orient2d(a, b, d) == Sign::negative &&
+         kernel::orient2d(c, d, a) * kernel::orient2d(c, d, b) == Sign::negative;
+}
+
+/// Points of a small grid in a box, joined by random segments of which none cross: collinear and cocircular points,
+/// overlaps, T-junctions and hanging segments in every one of them.
+inline Pslg random_graph(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto below = [&](std::uint64_t n) { return random() % n; };
+  Pslg pslg;
+  add_loop(pslg, box(0, 0, 9, 9), 4);
+  for (int i = 0; i < 25; ++i) {
+    const auto x = static_cast<double>(below(10));
+    pslg.points.push_back({x, static_cast<double>(below(10))});
+  }
+  for (int i = 0; i < 60; ++i) {
+    const Pslg::Segment s{below(pslg.points.size()), below(pslg.points.size()), 7};
+    const bool crosses = std::any_of(pslg.segments.begin(), pslg.segments.end(), [&](const Pslg::Segment& t) {
+      return segments_cross(pslg.points[s.from], pslg.points[s.to], pslg.points[t.from], pslg.points[t.to]);
+    });
+    if (!crosses) pslg.segments.push_back(s);
+  }
   return pslg;
 }
 

@@ -22,7 +22,7 @@ using delaunay::Star;
 std::multiset<std::array<VertexId, 3>> triangles_of(const GhostTriangulation& in) {
   std::multiset<std::array<VertexId, 3>> all;
   for (std::size_t i = 0; i < in.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const delaunay::AnyTriangleId t = delaunay::AnyTriangleId::from(i);
     std::array<VertexId, 3> corners{in.corner(t, 0), in.corner(t, 1), in.corner(t, 2)};
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     all.insert(corners);
@@ -52,7 +52,7 @@ TEST_CASE("a_star_is_filled_alike_directly_and_from_the_whole_triangulation_of_i
     const GhostTriangulation in =
         delaunay::triangulate_distinct(sorted.points, delaunay::Algorithm::watson, {}).triangulation;
     for (std::size_t i = 0; i < in.triangle_count(); ++i) {
-      const SideId side = in.side(TriangleId::from(i), 2);
+      const SideId side = in.side(delaunay::AnyTriangleId::from(i), 2);
       if (in.origin(side) == GhostTriangulation::ghost) continue;
       const GhostTriangulation directly = without(in, sorted.points, side, 1000);
       CHECK(directly.triangle_count() == in.triangle_count() - 2);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/delaunay/topology/conflict3.hpp"
 #include "leonhard/delaunay/topology/ghost_tetrahedralization.hpp"
+#include "leonhard/delaunay/topology/tet_conflict.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/predicates3.hpp"
 #include "leonhard/kernel/stages/exact.hpp"

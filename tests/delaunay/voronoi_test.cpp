@@ -273,7 +273,7 @@ TEST_CASE(
   CHECK(dual.beyond.empty());
   const ClippedVoronoi cells = clip(voronoi_diagram(mesh), box_window({0, 0}, {8, 8}));
   for (const VertexId v : mesh.points.ids())
-    CHECK(dual.area[v] == doctest::Approx(cells.area[v]).epsilon(1e-12).scale(0));
+    CHECK(dual.volume[v] == doctest::Approx(cells.area[v]).epsilon(1e-12).scale(0));
 }
 
 TEST_CASE("bad_windows_are_refused") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <random>
@@ -94,6 +95,13 @@ inline std::vector<std::uint32_t> random_order(std::uint32_t n, std::uint64_t se
     std::swap(order[i], order[random() % (i + std::uint64_t{1})]);
   }
   return order;
+}
+
+inline bool is_permutation_of_all(const CsrGraph& graph, std::vector<std::uint32_t> order) {
+  std::ranges::sort(order);
+  for (std::uint32_t i = 0; i < order.size(); ++i)
+    if (order[i] != i) return false;
+  return order.size() == vertex_count(graph);
 }
 
 /// The same graph with vertex v renamed to name[v].

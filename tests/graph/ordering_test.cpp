@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/graph/ordering.hpp"
 
+#include "leonhard/graph/boost_graph.hpp"  // before Boost's bandwidth.hpp, which does not include what it uses
+
 #include <doctest/doctest.h>
 
 #include <algorithm>

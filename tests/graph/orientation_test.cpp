@@ -199,8 +199,8 @@ TEST_CASE("validate_names_what_is_wrong_with_an_orientation") {
   CHECK_FALSE(validate(graph, good));
   CHECK(validate(path(4), good)->find("3 vertices") != std::string::npos);
   CHECK(validate(cycle(3), good)->find("2 edges") != std::string::npos);
-  CHECK(validate(graph, Orientation{{0, 1, 2, 2}, {1, 0}})->find("both ways") != std::string::npos);
-  CHECK(validate(graph, Orientation{{0, 2, 2, 2}, {1, 2}})->find("no edge from vertex 0 to 2") !=
+  CHECK(validate(graph, Orientation{{{0, 1, 2, 2}, {1, 0}}})->find("both ways") != std::string::npos);
+  CHECK(validate(graph, Orientation{{{0, 2, 2, 2}, {1, 2}}})->find("no edge from vertex 0 to 2") !=
         std::string::npos);
-  CHECK(validate(graph, Orientation{{0, 0, 2, 2}, {2, 0}})->find("ascend") != std::string::npos);
+  CHECK(validate(graph, Orientation{{{0, 0, 2, 2}, {2, 0}}})->find("ascend") != std::string::npos);
 }

@@ -57,7 +57,7 @@ Vector exact_centre(const Vector& a, const Vector& b, const Vector& c) {
 
 /// Both errors cover the distance from the exact centre and radius, and are as small as promised.
 template <class Point>
-bool keeps_its_bounds(const k::Ball<Point>& ball, const Vector& centre, const Vector& on_it) {
+bool keeps_its_bounds(const k::RoundedBall<Point>& ball, const Vector& centre, const Vector& on_it) {
   const Vector miss = minus(exact(ball.centre), centre), spoke = minus(on_it, centre);
   const mpq_class error(ball.centre_error), r(ball.radius), r_error(ball.radius_error),
       square = dot(spoke, spoke);

@@ -14,7 +14,7 @@ using namespace leonhard;
 namespace {
 
 /// Largest gap of any control volume relative to the length of its own boundary.
-double largest_gap(const TriangleMesh& mesh, const EdgeStructure& edges, const DualMetrics& dual) {
+double largest_gap(const TriangleMesh& mesh, const EdgeStructure& edges, const DualMetrics<2>& dual) {
   PerId<VertexId, Vec2> sum(mesh.vertex_count());
   PerId<VertexId, double> length(mesh.vertex_count());
   const auto add = [&](VertexId v, Vec2 normal) {
@@ -47,11 +47,11 @@ TEST_CASE("centroid_and_dirichlet_duals_are_closed_and_have_the_meshs_area") {
     const TriangleMesh& mesh = entry.mesh;
     CAPTURE(entry.name);
     const EdgeStructure edges = mesh::build_edges(mesh);
-    const double area = sum(mesh::median_dual(mesh, edges).area);
-    for (const DualMetrics& dual :
-         {mesh::centroid_dual(mesh, edges), static_cast<DualMetrics>(mesh::dirichlet_dual(mesh, edges))}) {
+    const double area = sum(mesh::median_dual(mesh, edges).volume);
+    for (const DualMetrics<2>& dual :
+         {mesh::centroid_dual(mesh, edges), static_cast<DualMetrics<2>>(mesh::dirichlet_dual(mesh, edges))}) {
       CHECK(largest_gap(mesh, edges, dual) < 1e-13);
-      CHECK(sum(dual.area) == doctest::Approx(area).epsilon(1e-12).scale(0));
+      CHECK(sum(dual.volume) == doctest::Approx(area).epsilon(1e-12).scale(0));
     }
   }
 }
@@ -59,12 +59,12 @@ TEST_CASE("centroid_and_dirichlet_duals_are_closed_and_have_the_meshs_area") {
 TEST_CASE("centroid_normals_are_the_median_duals") {
   const TriangleMesh mesh = shelf::shaken_grid(9, 5);
   const EdgeStructure edges = mesh::build_edges(mesh);
-  const MedianDual median = mesh::median_dual(mesh, edges);
-  const DualMetrics centroid = mesh::centroid_dual(mesh, edges);
+  const DualMetrics<2> median = mesh::median_dual(mesh, edges);
+  const DualMetrics<2> centroid = mesh::centroid_dual(mesh, edges);
   double apart = 0;
   for (const EdgeId e : edges.ends.ids()) CHECK(norm(median.normal[e] - centroid.normal[e]) < 1e-13);
   for (const VertexId v : mesh.points.ids())
-    apart = std::max(apart, std::abs(median.area[v] - centroid.area[v]));
+    apart = std::max(apart, std::abs(median.volume[v] - centroid.volume[v]));
   CHECK(apart > 1e-3);  // the areas are not
 }
 
@@ -73,8 +73,8 @@ TEST_CASE("the_dirichlet_dual_of_a_grid_has_squares_and_no_face_across_the_diago
   const EdgeStructure edges = mesh::build_edges(mesh);
   const DirichletDual dual = mesh::dirichlet_dual(mesh, edges);
   CHECK(dual.beyond.empty());
-  CHECK(dual.area[VertexId{12}] == 1.0);
-  CHECK(dual.area[VertexId{0}] == 0.25);
+  CHECK(dual.volume[VertexId{12}] == 1.0);
+  CHECK(dual.volume[VertexId{0}] == 0.25);
   for (const EdgeId e : edges.ends.ids()) {
     const Vec2 along = mesh.points[edges.ends[e][1]] - mesh.points[edges.ends[e][0]];
     const bool diagonal = along.x != 0 && along.y != 0;
@@ -103,7 +103,7 @@ TEST_CASE("a_circumcentre_beyond_the_boundary_is_told_and_counts_negative") {
   const MarkedEdge& edge = flat.boundary[dual.beyond[0]];
   CHECK(std::minmax(edge.from, edge.to) == std::minmax(VertexId{0}, VertexId{1}));
   CHECK(dual.normal[*edges.find(VertexId{0}, VertexId{1})] == Vec2{-7.5, 0});
-  CHECK(sum(dual.area) == doctest::Approx(4.0));
+  CHECK(sum(dual.volume) == doctest::Approx(4.0));
   const TriangleMesh right = shelf::build({{0, 0}, {8, 0}, {0, 1}}, {{0, 1, 2}});  // on the edge: not beyond
   CHECK(mesh::dirichlet_dual(right, mesh::build_edges(right)).beyond.empty());
 }

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <sstream>
+#include <unordered_map>
 #include <vector>
 
 using namespace leonhard;
@@ -34,4 +36,29 @@ TEST_CASE("maybe_id_is_none_until_given_an_id") {
   CHECK(edge);
   CHECK(*edge == EdgeId{4});
   CHECK(edge != MaybeId<EdgeId>(EdgeId{5}));
+}
+
+TEST_CASE("value_or_is_the_id_or_the_fallback") {
+  constexpr MaybeId<EdgeId> none;
+  static_assert(none.value_or(EdgeId{7}) == EdgeId{7});
+  static_assert(MaybeId(EdgeId{4}).value_or(EdgeId{7}) == EdgeId{4});
+}
+
+TEST_CASE("ids_are_written_as_their_numbers") {
+  std::ostringstream out;
+  out << VertexId{17} << ' ' << MaybeId(TetId{0}) << ' ' << MaybeId<TetId>();
+  CHECK(out.str() == "17 0 none");
+}
+
+TEST_CASE("ids_are_keys_of_hashed_containers") {
+  std::unordered_map<VertexId, int> count;
+  for (const IdRaw raw : {3U, 5U, 3U}) ++count[VertexId{raw}];
+  CHECK(count.size() == 2);
+  CHECK(count[VertexId{3}] == 2);
+  std::unordered_map<MaybeId<TriangleId>, int> behind;
+  ++behind[MaybeId<TriangleId>()];
+  ++behind[TriangleId{1}];
+  ++behind[MaybeId<TriangleId>()];
+  CHECK(behind.size() == 2);
+  CHECK(behind[MaybeId<TriangleId>()] == 2);
 }

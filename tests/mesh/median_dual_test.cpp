@@ -14,7 +14,7 @@ namespace {
 /// Largest gap of any control volume relative to the length of its own boundary.
 double largest_gap(const TriangleMesh& mesh) {
   const EdgeStructure edges = mesh::build_edges(mesh);
-  const MedianDual dual = mesh::median_dual(mesh, edges);
+  const DualMetrics<2> dual = mesh::median_dual(mesh, edges);
   PerId<VertexId, Vec2> sum(mesh.vertex_count());
   PerId<VertexId, double> length(mesh.vertex_count());
   const auto add = [&](VertexId v, Vec2 normal) {
@@ -71,7 +71,7 @@ TEST_CASE("areas_of_control_volumes_add_up_to_the_mesh") {
   const auto mesh = shelf::annulus(64);
   const auto dual = mesh::median_dual(mesh, mesh::build_edges(mesh));
   double sum = 0;
-  for (const double area : dual.area) sum += area;
+  for (const double area : dual.volume) sum += area;
   const double exact =
       64 * 0.5 * std::sin(2 * std::numbers::pi / 64) * (2 * 2 - 1 * 1);  // two regular polygons
   CHECK(sum == doctest::Approx(exact).epsilon(1e-14));
@@ -80,7 +80,7 @@ TEST_CASE("areas_of_control_volumes_add_up_to_the_mesh") {
 TEST_CASE("interior_control_volume_of_a_grid_has_one_square_of_area") {
   const auto mesh = shelf::grid(4, 4);
   const auto dual = mesh::median_dual(mesh, mesh::build_edges(mesh));
-  CHECK(dual.area[VertexId{12}] == doctest::Approx(1).epsilon(1e-15));
+  CHECK(dual.volume[VertexId{12}] == doctest::Approx(1).epsilon(1e-15));
 }
 
 TEST_CASE("normals_are_those_of_the_definition_and_point_from_the_first_end") {
@@ -88,7 +88,7 @@ TEST_CASE("normals_are_those_of_the_definition_and_point_from_the_first_end") {
     const TriangleMesh& mesh = entry.mesh;
     CAPTURE(entry.name);
     const EdgeStructure edges = mesh::build_edges(mesh);
-    const MedianDual dual = mesh::median_dual(mesh, edges);
+    const DualMetrics<2> dual = mesh::median_dual(mesh, edges);
     for (const EdgeId e : edges.ends.ids()) {
       const Vec2 expected = normal_from_definition(mesh, edges, e);
       CHECK(norm(dual.normal[e] - expected) < 1e-14);

@@ -45,9 +45,9 @@ TEST_CASE("renumbered_mesh_is_valid_and_the_inverse_brings_back_every_array") {
   REQUIRE_FALSE(mesh::validate(mesh));
   for (unsigned seed = 0; seed < 20; ++seed) {
     const auto permutation = random_permutation(mesh.vertex_count(), seed);
-    const auto there = mesh::renumber_vertices(mesh, permutation, mesh::TriangleOrder::kept);
+    const auto there = mesh::renumber_vertices(mesh, permutation, mesh::CellOrder::kept);
     CHECK(mesh::validate(there).value_or("") == "");
-    const auto back = mesh::renumber_vertices(there, inverse(permutation), mesh::TriangleOrder::kept);
+    const auto back = mesh::renumber_vertices(there, inverse(permutation), mesh::CellOrder::kept);
     CHECK(back.points == mesh.points);
     CHECK(back.corners == mesh.corners);
     CHECK(back.neighbours == mesh.neighbours);

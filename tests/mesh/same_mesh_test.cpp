@@ -10,7 +10,6 @@
 #include "leonhard/mesh/euler.hpp"
 #include "leonhard/mesh/median_dual.hpp"
 #include "leonhard/mesh/tet_euler.hpp"
-#include "leonhard/mesh/tet_median_dual.hpp"
 #include "leonhard/mesh/topology.hpp"
 #include "tests/mesh/shelf.hpp"
 #include "tests/mesh/tet_shelf.hpp"

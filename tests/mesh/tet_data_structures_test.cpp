@@ -41,7 +41,7 @@ TEST_CASE("mesh_to_faces_and_back_is_the_same_mesh_but_for_the_order_of_corners"
       std::sort(b.begin(), b.end());
       REQUIRE(a == b);
     }
-    const auto boundary = mesh::boundary_faces(mesh, 4);  // in the order of faces, too
+    const auto boundary = mesh::boundary_facets(mesh, 4);  // in the order of faces, too
     REQUIRE(back.boundary.size() == boundary.size());
     for (std::size_t i = 0; i < boundary.size(); ++i) {
       const auto& [a, b, c] = back.boundary[i].corners;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/tet_median_dual.hpp"
+#include "leonhard/mesh/median_dual.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,10 +13,10 @@ using doctest::Approx;
 
 namespace {
 
-TetDualMetrics dual_of(const TetMesh& mesh) { return mesh::median_dual(mesh, mesh::build_edges(mesh)); }
+DualMetrics<3> dual_of(const TetMesh& mesh) { return mesh::median_dual(mesh, mesh::build_edges(mesh)); }
 
 /// The sum of the outward normals about each vertex, its thirds of the boundary included.
-PerId<VertexId, Vec3> closure(const TetMesh& mesh, const TetEdges& edges, const TetDualMetrics& dual) {
+PerId<VertexId, Vec3> closure(const TetMesh& mesh, const TetEdges& edges, const DualMetrics<3>& dual) {
   PerId<VertexId, Vec3> sum(mesh.vertex_count(), Vec3{});
   for (const EdgeId e : edges.ends.ids()) {
     sum[edges.ends[e][0]] = sum[edges.ends[e][0]] + dual.normal[e];
@@ -41,7 +41,7 @@ TEST_CASE("median_dual_in_space_is_closed_about_every_vertex_and_its_volumes_are
     const TetMesh& mesh = entry.mesh;
     CAPTURE(entry.name);
     const TetEdges edges = mesh::build_edges(mesh);
-    const TetDualMetrics dual = mesh::median_dual(mesh, edges);
+    const DualMetrics<3> dual = mesh::median_dual(mesh, edges);
     REQUIRE(dual.boundary_normal.size() == mesh.boundary.size());
     for (const Vec3& sum : closure(mesh, edges, dual)) CHECK(norm(sum) < 1e-14);
     double total = 0;
@@ -76,13 +76,13 @@ TEST_CASE(
       }
     }
   }
-  const TetDualMetrics dual = mesh::median_dual(mesh, edges);
+  const DualMetrics<3> dual = mesh::median_dual(mesh, edges);
   for (const EdgeId e : edges.ends.ids()) CHECK(norm(dual.normal[e] - expected[e]) < 1e-14);
 }
 
 TEST_CASE("median_dual_of_the_unit_tetrahedron_is_that_of_arithmetic") {
   const auto mesh = tet_shelf::build({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
-  const TetDualMetrics dual = dual_of(mesh);
+  const DualMetrics<3> dual = dual_of(mesh);
   const Vec3 normal = dual.normal[EdgeId{0}];  // edge 0-1
   CHECK(normal.x == Approx(2.0 / 24));
   CHECK(normal.y == Approx(1.0 / 24));
@@ -99,7 +99,7 @@ TEST_CASE("median_dual_far_from_the_origin_is_that_at_the_origin") {
   const TetMesh near = tet_shelf::box(2, 2, 2);
   TetMesh far = near;
   for (Point3& p : far.points) p = p + Vec3{1e15, -1e15, 0x1p50};
-  const TetDualMetrics a = dual_of(near), b = dual_of(far);
+  const DualMetrics<3> a = dual_of(near), b = dual_of(far);
   CHECK(a.normal == b.normal);
   CHECK(a.volume == b.volume);
   CHECK(a.boundary_normal == b.boundary_normal);

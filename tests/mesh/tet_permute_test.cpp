@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/tet_permute.hpp"
+#include "leonhard/mesh/permute.hpp"
 
 #include <doctest/doctest.h>
 
@@ -50,7 +50,7 @@ TEST_CASE("renumbered_tetrahedra_are_the_same_and_the_way_back_is_exact") {
   REQUIRE(mesh.interfaces.size() > 1);
   REQUIRE_FALSE(mesh::validate(mesh));
   const auto permutation = random_permutation(mesh.vertex_count(), 3);
-  const TetMesh kept = mesh::renumber_vertices(mesh, permutation, mesh::TetOrder::kept);
+  const TetMesh kept = mesh::renumber_vertices(mesh, permutation, mesh::CellOrder::kept);
   CHECK(mesh::validate(kept).value_or("") == "");
   CHECK(mesh::fingerprint(kept) == mesh::fingerprint(mesh));
   CHECK(kept.regions == mesh.regions);
@@ -61,7 +61,7 @@ TEST_CASE("renumbered_tetrahedra_are_the_same_and_the_way_back_is_exact") {
   }
   CHECK(kept.boundary[5].marker == mesh.boundary[5].marker);
   CHECK(kept.boundary[5].corners[1] == permutation[mesh.boundary[5].corners[1]]);
-  CHECK(mesh::renumber_vertices(kept, inverse(permutation), mesh::TetOrder::kept) == mesh);
+  CHECK(mesh::renumber_vertices(kept, inverse(permutation), mesh::CellOrder::kept) == mesh);
 }
 
 TEST_CASE("tetrahedra_sorted_by_vertices_carry_their_regions_and_neighbours_along") {

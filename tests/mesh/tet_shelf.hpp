@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "leonhard/mesh/tet_mesh.hpp"
-#include "leonhard/mesh/tet_topology.hpp"
+#include "leonhard/mesh/topology.hpp"
 
 /// A shelf of tetrahedral meshes picked by property, with what is known of each beforehand.
 namespace leonhard::tet_shelf {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/tet_topology.hpp"
+#include "leonhard/mesh/topology.hpp"
 
 #include <doctest/doctest.h>
 
@@ -20,7 +20,7 @@ const std::vector<tet_shelf::Corners> two{{0, 1, 2, 3}, {1, 2, 3, 4}};
 
 /// What make_tet_mesh says to these arrays; empty if it takes them.
 std::string refusal(std::vector<Point3> points, const std::vector<tet_shelf::Corners>& tets,
-                    std::vector<MarkedFace> faces, const mesh::MarkedFaceRules& rules = {}) {
+                    std::vector<MarkedFace> faces, const mesh::MarkedFacetRules& rules = {}) {
   try {
     (void)mesh::make_tet_mesh(PerId<VertexId, Point3>(std::move(points)), tet_shelf::typed(tets),
                               std::move(faces), {}, "wing.su2", rules);
@@ -83,7 +83,7 @@ TEST_CASE("boundary_faces_are_those_of_one_tetrahedron_and_point_outwards") {
     for (const auto& [a, b, c, d] : entry.mesh.corners)
       tets.push_back({a.index(), b.index(), c.index(), d.index()});
     const auto expected = tet_shelf::lone_faces(tets, 7);  // sorted by smallest, then in their direction
-    auto found = mesh::boundary_faces(entry.mesh, 7);
+    auto found = mesh::boundary_facets(entry.mesh, 7);
     CHECK(std::is_sorted(found.begin(), found.end(), [](const MarkedFace& f, const MarkedFace& g) {
       auto a = f.corners, b = g.corners;
       std::sort(a.begin(), a.end());
@@ -128,13 +128,13 @@ TEST_CASE("faces_between_tetrahedra_become_interfaces_where_the_rule_takes_them"
   faces.insert(faces.begin() + 2, face(3, 1, 2, 4));
   const auto mesh =
       mesh::make_tet_mesh(PerId<VertexId, Point3>(std::vector<Point3>(five_points)), tet_shelf::typed(two),
-                          faces, {}, {}, {.unlisted_boundary = {}, .take_interfaces = true});
+                          faces, {}, {}, {.unlisted_boundary = {}, .take_inner_facets = true});
   CHECK(mesh.interfaces == std::vector<MarkedFace>{face(3, 1, 2, 4)});
   CHECK(mesh.boundary == tet_shelf::lone_faces(two, 1));
   CHECK_FALSE(mesh::validate(mesh));
   CHECK(contains(refusal(five_points, two, faces), "boundary entry 2, face 3-1-2"));
   faces.push_back(face(0, 1, 4, 4));
-  CHECK(contains(refusal(five_points, two, faces, {.unlisted_boundary = {}, .take_interfaces = true}),
+  CHECK(contains(refusal(five_points, two, faces, {.unlisted_boundary = {}, .take_inner_facets = true}),
                  "face 0-1-4"));
 }
 

@@ -12,10 +12,9 @@ namespace {
 
 using namespace leonhard;
 using solver::EdgePlan;
-using solver::SweepLimiter;
 
 std::vector<double> gradients(const EdgePlan& plan, const PerId<VertexId, State>& state,
-                              SweepLimiter limiter) {
+                              LimiterKind limiter) {
   std::vector<double> gradient(8 * plan.vertex_count), scale2(plan.vertex_count, 1e-12);
   const solver::SweepSettings settings{1.4, 0.05, limiter, scale2.data()};
   for (const solver::PartRange& part : plan.parts)
@@ -29,7 +28,7 @@ TEST_CASE("least_squares_gradients_are_exact_for_linear_functions") {
   const EdgePlan plan = solver::make_edge_plan(mesh);
   PerId<VertexId, State> state;
   for (const Point2 p : mesh.points) state.push_back({1 + 2 * p.x - p.y, 3 * p.y, -p.x + 0.5 * p.y, 7 - p.x});
-  const auto g = gradients(plan, state, SweepLimiter::none);
+  const auto g = gradients(plan, state, LimiterKind::none);
   const double by_x[4] = {2, 0, -1, -1}, by_y[4] = {-1, 3, 0.5, 0};
   for (std::size_t v = 0; v < plan.vertex_count; ++v)
     for (std::size_t i = 0; i < 4; ++i) {
@@ -46,8 +45,8 @@ TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_th
   PerId<VertexId, State> state;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
     state.push_back({any(random), any(random), any(random), any(random)});
-  const auto free = gradients(plan, state, SweepLimiter::none);
-  const auto limited = gradients(plan, state, SweepLimiter::barth_jespersen);
+  const auto free = gradients(plan, state, LimiterKind::none);
+  const auto limited = gradients(plan, state, LimiterKind::barth_jespersen);
   const auto value = [&](std::size_t v, std::size_t i) { return (&state.flat()[v].rho)[i]; };
   std::size_t overshoots = 0;
   for (std::size_t v = 0; v < plan.vertex_count; ++v)
@@ -74,7 +73,7 @@ TEST_CASE("limiters_leave_linear_functions_alone_inside") {
   const EdgePlan plan = solver::make_edge_plan(mesh);
   PerId<VertexId, State> state;
   for (const Point2 p : mesh.points) state.push_back({1 + p.x, p.y, p.x + p.y, 2 - p.x});
-  for (const auto limiter : {SweepLimiter::venkatakrishnan, SweepLimiter::barth_jespersen}) {
+  for (const auto limiter : {LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen}) {
     const auto g = gradients(plan, state, limiter);
     for (const VertexId v : mesh.points.ids()) {
       const Point2 p = mesh.points[v];

@@ -68,17 +68,37 @@ TEST_CASE("nonsense_state_is_diverged_and_names_the_vertex") {
   }
 }
 
-TEST_CASE("explicit_march_with_an_absurd_time_step_recovers_or_says_where_it_diverged") {
+TEST_CASE("explicit_march_with_an_absurd_time_step_cuts_it_and_goes_on") {
   const TriangleMesh mesh = test::o_mesh(48, 16, 8, 0.03, test::naca0012);
   SteadyOptions options;
   options.marching = Marching::explicit_multistage;
   options.cfl_start = 1e4;
   options.max_iterations = 50;
   const SteadyResult result = solver::solve_steady(airfoil_problem(mesh), options);
+  CHECK(result.verdict == Verdict::iteration_limit);
+  CHECK(result.history.size() == 51);
   CHECK(result.rejected_steps > 0);
-  for (const State& w : result.state)
-    if (result.verdict != Verdict::diverged) CHECK(solver::is_physical(w));
-  if (result.verdict == Verdict::diverged) CHECK(result.bad_vertex);
+  CHECK_FALSE(result.bad_vertex);
+  CHECK(result.history.back().cfl < 100);
+  for (const State& w : result.state) CHECK(solver::is_physical(w));
+}
+
+TEST_CASE("bad_vertex_is_the_first_unphysical_one_or_else_the_first_whose_residual_is_not_finite") {
+  const TriangleMesh mesh = test::shaken_square(6, 0.1, 1);
+  const EulerProblem problem = square_problem(mesh);
+  PerId<VertexId, State> state(mesh.vertex_count(), solver::free_stream_state({}, {0.5, 0}));
+  std::vector<double> residual(4 * mesh.vertex_count());
+  CHECK_FALSE(solver::find_bad_vertex(problem, state, residual));
+  residual[4 * 30 + 3] = std::numeric_limits<double>::infinity();
+  residual[4 * 12 + 1] = std::numeric_limits<double>::quiet_NaN();
+  const auto by_residual = solver::find_bad_vertex(problem, state, residual);
+  REQUIRE(by_residual);
+  CHECK(by_residual->vertex == VertexId::from(12));
+  state[VertexId::from(20)].p = 0;
+  const auto by_state = solver::find_bad_vertex(problem, state, residual);
+  REQUIRE(by_state);
+  CHECK(by_state->vertex == VertexId::from(20));
+  CHECK(by_state->state.p == 0);
 }
 
 TEST_CASE("stop_request_ends_the_march_at_once") {

@@ -57,7 +57,7 @@ void DynamicTriangulation::set_side(VertexId v, SideId side) {
   (v == GhostTriangulation::ghost ? ghost_side_ : sides_[v]) = side;
 }
 
-void DynamicTriangulation::set_sides_of(TriangleId t) {
+void DynamicTriangulation::set_sides_of(AnyTriangleId t) {
   for (unsigned i = 0; i < 3; ++i) {
     const SideId side = triangles_.side(t, i);
     set_side(triangles_.origin(side), side);
@@ -65,7 +65,7 @@ void DynamicTriangulation::set_sides_of(TriangleId t) {
 }
 
 /// destroyed  a triangle that p destroys
-VertexId DynamicTriangulation::insert_in_plane(Point2 p, TriangleId destroyed) {
+VertexId DynamicTriangulation::insert_in_plane(Point2 p, AnyTriangleId destroyed) {
   const VertexId v = new_vertex(p);
   cavity_.start(triangles_, destroyed);
   cavity_.grow(triangles_, [&](SideId inner) {
@@ -99,15 +99,15 @@ void DynamicTriangulation::fan_over_line(VertexId v) {
   std::vector<SideId> hull_sides;
   SideId open{};  // the side of the last triangle that awaits its twin
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const TriangleId t = triangles_.add(v, line[i - 1], line[i]);
+    const AnyTriangleId t = triangles_.add(v, line[i - 1], line[i]);
     hull_sides.push_back(triangles_.side(t, 0));
     if (i > 1) triangles_.link(triangles_.side(t, 2), open);
     open = triangles_.side(t, 1);
   }
   hull_sides.push_back(open);
-  hull_sides.push_back(triangles_.side(TriangleId{0}, 2));
+  hull_sides.push_back(triangles_.side(AnyTriangleId{0}, 2));
   add_ghosts(hull_sides);
-  for (std::size_t i = 0; i < triangles_.triangle_count(); ++i) set_sides_of(TriangleId::from(i));
+  for (std::size_t i = 0; i < triangles_.triangle_count(); ++i) set_sides_of(AnyTriangleId::from(i));
   last_ = v;
 }
 
@@ -115,7 +115,7 @@ void DynamicTriangulation::fan_over_line(VertexId v) {
 void DynamicTriangulation::add_ghosts(std::span<const SideId> hull_sides) {
   SideId last{};
   for (const SideId s : hull_sides) {
-    const TriangleId t =
+    const AnyTriangleId t =
         triangles_.add(GhostTriangulation::ghost, triangles_.destination(s), triangles_.origin(s));
     triangles_.link(triangles_.side(t, 0), s);
     if (s != hull_sides.front()) triangles_.link(triangles_.side(t, 1), last);
@@ -166,7 +166,7 @@ void DynamicTriangulation::insert_first(std::span<const Point2> points, std::vec
     return at == GhostTriangulation::ghost ? at : id_of_sorted[at.index()];
   };
   for (std::size_t i = 0; i < triangles_.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     triangles_.set_corners(t, id_of(triangles_.corner(t, 0)), id_of(triangles_.corner(t, 1)),
                            id_of(triangles_.corner(t, 2)));
     set_sides_of(t);

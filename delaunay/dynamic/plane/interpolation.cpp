@@ -1,34 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <limits>
 
+#include "leonhard/delaunay/dynamic/plane/vertex_weights.hpp"
 #include "leonhard/delaunay/dynamic_triangulation.hpp"
 #include "leonhard/delaunay/topology/conflict.hpp"
-#include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::delaunay {
-
-Interpolated interpolated(PointLocation::Kind where, std::span<const VertexWeight> weights,
-                          std::span<const double> values) {
-  if (where == PointLocation::Kind::outside) return {where, std::numeric_limits<double>::quiet_NaN()};
-  double sum = 0;
-  for (const auto& [vertex, weight] : weights)
-    if (weight != 0 && vertex.index() >= values.size())
-      throw InputError("values",
-                       std::to_string(values.size()) + " values for vertex " + std::to_string(vertex.raw),
-                       "give one a vertex id");
-    else if (weight != 0)
-      sum += weight * values[vertex.index()];
-  return {where, sum};
-}
-
-void DynamicTriangulation::require_values(std::span<const double> values) const {
-  if (values.size() < id_bound())
-    throw InputError(
-        "values",
-        std::to_string(values.size()) + " values for vertex ids below " + std::to_string(id_bound()),
-        "give one an id");
-}
 
 /// Whether one of the two triangles at an edge is a ghost.
 bool DynamicTriangulation::on_hull(SideId side) const {
@@ -55,7 +32,7 @@ void DynamicTriangulation::weigh(Point2 p, const PointLocation& at,
 }
 
 PointLocation::Kind DynamicTriangulation::find_linear_weights(Point2 p, Search& search) const {
-  const PointLocation at = locate(p, search);
+  const PointLocation at = locate_from(p, search);
   weigh(p, at, search.weights);
   return at.kind;
 }
@@ -80,28 +57,6 @@ PointLocation::Kind DynamicTriangulation::find_natural_weights(Point2 p, Search&
   });
   sibson_weights(triangles_, points_.flat(), search.cavity, p, search.weights);
   return at.kind;
-}
-
-NaturalNeighbours DynamicTriangulation::natural_neighbours(Point2 p, MaybeId<VertexId> hint) const {
-  Search search = search_for(p, hint);
-  const PointLocation::Kind where = find_natural_weights(p, search);
-  return {where, search.weights};
-}
-
-Interpolated DynamicTriangulation::interpolate_linear(Point2 p, std::span<const double> values,
-                                                      MaybeId<VertexId> hint) const {
-  require_values(values);
-  Search search = search_for(p, hint);
-  const PointLocation::Kind where = find_linear_weights(p, search);
-  return interpolated(where, search.weights, values);
-}
-
-Interpolated DynamicTriangulation::interpolate_natural_neighbour(Point2 p, std::span<const double> values,
-                                                                 MaybeId<VertexId> hint) const {
-  require_values(values);
-  Search search = search_for(p, hint);
-  const PointLocation::Kind where = find_natural_weights(p, search);
-  return interpolated(where, search.weights, values);
 }
 
 }  // namespace leonhard::delaunay

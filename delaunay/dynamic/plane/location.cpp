@@ -16,7 +16,7 @@ namespace {
 ///
 /// from     where it began, and where it arrived
 /// returns  whether `from` is the answer of walk
-bool walk_some(const GhostTriangulation& in, std::span<const Point2> points, TriangleId& from, Point2 p,
+bool walk_some(const GhostTriangulation& in, std::span<const Point2> points, AnyTriangleId& from, Point2 p,
                Coin& coin, int steps) {
   const auto beyond = [&](SideId s) {
     return kernel::orient2d(points[in.origin(s).index()], points[in.destination(s).index()], p) ==
@@ -52,15 +52,15 @@ DynamicTriangulation::Search DynamicTriangulation::search_for(Point2 p, MaybeId<
 }
 
 /// A real triangle at a vertex.
-TriangleId DynamicTriangulation::triangle_at(VertexId v) const {
-  const TriangleId t = triangles_.triangle(sides_[v]);
+AnyTriangleId DynamicTriangulation::triangle_at(VertexId v) const {
+  const AnyTriangleId t = triangles_.triangle(sides_[v]);
   return triangles_.is_ghost(t) ? triangles_.triangle(triangles_.twin(triangles_.side(t, 0))) : t;
 }
 
 /// The answer of walk. After a number of steps in vain the rest starts from a sample.
-TriangleId DynamicTriangulation::triangle_towards(Point2 p, Search& search) const {
+AnyTriangleId DynamicTriangulation::triangle_towards(Point2 p, Search& search) const {
   const int patience = search.near ? 48 : 16;
-  TriangleId t = triangle_at(search.near ? *search.near : last_);
+  AnyTriangleId t = triangle_at(search.near ? *search.near : last_);
   if (walk_some(triangles_, points_.flat(), t, p, search.coin, patience)) return t;
   const VertexId here = triangles_.corner(t, 1), sampled = sampled_vertex(p, here);
   return walk(triangles_, points_.flat(), sampled == here ? t : triangle_at(sampled), p, search.coin);
@@ -115,13 +115,8 @@ PointLocation DynamicTriangulation::locate_on_line(Point2 p) const {
   return {PointLocation::Kind::on_edge, {std::min(*before, *after), std::max(*before, *after)}};
 }
 
-PointLocation DynamicTriangulation::locate(Point2 p, Search& search) const {
+PointLocation DynamicTriangulation::locate_from(Point2 p, Search& search) const {
   return extent() == Extent::plane ? answer(find(p, search)) : locate_on_line(p);
-}
-
-PointLocation DynamicTriangulation::locate(Point2 p, MaybeId<VertexId> hint) const {
-  Search search = search_for(p, hint);
-  return locate(p, search);
 }
 
 /// Whether a comes before b in the order of distances from p, ties broken by coordinates.
@@ -133,7 +128,7 @@ bool DynamicTriangulation::is_nearer(Point2 p, VertexId a, VertexId b) const {
 /// A vertex with no neighbour nearer to p has p in its Voronoi cell, so going to the nearest neighbour until
 /// there is none leads to the nearest vertex. Several equally near ones are corners of a convex polygon in an
 /// empty circle, whose sides are edges: they lead on to the lexicographically first.
-MaybeId<VertexId> DynamicTriangulation::nearest_vertex(Point2 p, Search& search) const {
+MaybeId<VertexId> DynamicTriangulation::nearest_from(Point2 p, Search& search) const {
   if (extent() != Extent::plane) return line_.nearest(p);
   const Location found = find(p, search);
   VertexId best = triangles_.origin(found.side);
@@ -148,9 +143,9 @@ MaybeId<VertexId> DynamicTriangulation::nearest_vertex(Point2 p, Search& search)
   }
 }
 
-MaybeId<VertexId> DynamicTriangulation::nearest_vertex(Point2 p, MaybeId<VertexId> hint) const {
-  Search search = search_for(p, hint);
-  return nearest_vertex(p, search);
+void DynamicTriangulation::collect_neighbours(VertexId v, Search&, std::vector<VertexId>& into) const {
+  const NeighbourView all = neighbours(v);
+  into.assign(all.begin(), all.end());
 }
 
 }  // namespace leonhard::delaunay

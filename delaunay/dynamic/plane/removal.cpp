@@ -22,8 +22,8 @@ void DynamicTriangulation::remove(VertexId v) {
   }
   star_.fill(triangles_, points_.flat());
   kill(v);
-  const std::span<const TriangleId> all = star_.triangles();
-  for (const TriangleId t : all.first(all.size() - 2)) set_sides_of(t);
+  const std::span<const AnyTriangleId> all = star_.triangles();
+  for (const AnyTriangleId t : all.first(all.size() - 2)) set_sides_of(t);
   last_ = triangles_.corner(all.front(), 1);  // corner 0 may be the ghost
   // The last triangle takes an erased one's number, so the higher number goes first.
   const auto [lower, higher] = std::minmax(all[all.size() - 2], all[all.size() - 1]);
@@ -55,7 +55,7 @@ void DynamicTriangulation::collapse_to_line() {
   triangles_ = {};
 }
 
-void DynamicTriangulation::erase_triangle(TriangleId t) {
+void DynamicTriangulation::erase_triangle(AnyTriangleId t) {
   triangles_.erase(t);
   if (t.index() < triangles_.triangle_count()) set_sides_of(t);
 }

@@ -14,7 +14,7 @@ std::string vertex_words(std::span<const Point2> points, VertexId v) {
   return text;
 }
 
-std::string triangle_words(TriangleId t) { return "triangle " + std::to_string(t.raw); }
+std::string triangle_words(AnyTriangleId t) { return "triangle " + std::to_string(t.raw); }
 
 }  // namespace
 
@@ -56,9 +56,9 @@ std::optional<std::string> DynamicTriangulation::broken_topology() const {
            std::to_string(size()) + " vertices: not 2 n - 2";
   for (std::size_t i = 0; i < triangles_.triangle_count(); ++i)
     for (unsigned k = 0; k < 3; ++k) {
-      const VertexId v = triangles_.corner(TriangleId::from(i), k);
+      const VertexId v = triangles_.corner(AnyTriangleId::from(i), k);
       if (v != GhostTriangulation::ghost && !contains(v))
-        return triangle_words(TriangleId::from(i)) + " has a removed vertex, " + std::to_string(v.raw);
+        return triangle_words(AnyTriangleId::from(i)) + " has a removed vertex, " + std::to_string(v.raw);
     }
   return std::nullopt;
 }
@@ -89,14 +89,14 @@ std::optional<std::string> DynamicTriangulation::broken_ring() const {
 }
 
 std::optional<std::string> DynamicTriangulation::broken_geometry() const {
-  const auto at = [&](TriangleId t, unsigned i) { return points_[triangles_.corner(t, i)]; };
+  const auto at = [&](AnyTriangleId t, unsigned i) { return points_[triangles_.corner(t, i)]; };
   for (std::size_t i = 0; i < triangles_.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     if (!triangles_.is_ghost(t) && kernel::orient2d(at(t, 0), at(t, 1), at(t, 2)) != Sign::positive)
       return triangle_words(t) + " is not counter-clockwise";
   }
   for (std::size_t i = 0; i < triangles_.triangle_count(); ++i) {
-    const TriangleId t = TriangleId::from(i);
+    const AnyTriangleId t = AnyTriangleId::from(i);
     for (unsigned k = 0; k < 3; ++k) {
       const VertexId behind = triangles_.apex(triangles_.twin(triangles_.side(t, k)));
       if (behind == GhostTriangulation::ghost) continue;

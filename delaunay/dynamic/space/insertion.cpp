@@ -5,7 +5,7 @@
 
 #include "leonhard/delaunay/dynamic_tetrahedralization.hpp"
 #include "leonhard/delaunay/tet_algorithm.hpp"
-#include "leonhard/delaunay/topology/conflict3.hpp"
+#include "leonhard/delaunay/topology/tet_conflict.hpp"
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/words.hpp"
@@ -72,7 +72,7 @@ VertexId DynamicTetrahedralization::insert_in_space(const Point3& p, TetId destr
 
 DynamicTetrahedralization::Inserted DynamicTetrahedralization::insert_flat(const Point3& p) {
   if (const MaybeId<VertexId> there = flat_.find(p)) return {*there, false};
-  const bool leaves_plane = extent() == SpaceExtent::plane && !flat_.spans(p);
+  const bool leaves_plane = extent() == Extent::plane && !flat_.spans(p);
   const VertexId v = new_vertex(p);
   if (leaves_plane)
     build(1);

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "leonhard/delaunay/dynamic_tetrahedralization.hpp"
-#include "leonhard/delaunay/topology/conflict3.hpp"
+#include "leonhard/delaunay/topology/tet_conflict.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates3.hpp"
 #include "leonhard/mesh/words.hpp"
@@ -77,8 +77,8 @@ TetId DynamicTetrahedralization::find(const Point3& p, Search& search) const {
 }
 
 /// What was found, in a form that does not depend on the way there.
-SpaceLocation DynamicTetrahedralization::answer(const Point3& p, TetId found) const {
-  using Kind = SpaceLocation::Kind;
+TetLocation DynamicTetrahedralization::answer(const Point3& p, TetId found) const {
+  using Kind = TetLocation::Kind;
   if (cells_.is_ghost(found)) return {};
   TetCorners carrier;  // p is strictly inside the simplex of these
   carrier.fill(ghost);
@@ -88,7 +88,7 @@ SpaceLocation DynamicTetrahedralization::answer(const Point3& p, TetId found) co
       carrier[count++] = cells_.corners[found][i];
   const bool odd = sort_corners(carrier);  // the ghost has the highest number
   if (count == 4 && odd) std::swap(carrier[2], carrier[3]);
-  SpaceLocation at;
+  TetLocation at;
   constexpr std::array kinds{Kind::outside, Kind::on_vertex, Kind::on_edge, Kind::on_face,
                              Kind::in_tetrahedron};
   at.kind = kinds[count];
@@ -96,18 +96,13 @@ SpaceLocation DynamicTetrahedralization::answer(const Point3& p, TetId found) co
   return at;
 }
 
-SpaceLocation DynamicTetrahedralization::locate_in_span(const Point3& p) const {
-  if (const MaybeId<VertexId> v = flat_.find(p)) return {SpaceLocation::Kind::on_vertex, {v}};
-  return {flat_.spans(p) ? SpaceLocation::Kind::in_span : SpaceLocation::Kind::outside, {}};
+TetLocation DynamicTetrahedralization::locate_in_span(const Point3& p) const {
+  if (const MaybeId<VertexId> v = flat_.find(p)) return {TetLocation::Kind::on_vertex, {v}};
+  return {flat_.spans(p) ? TetLocation::Kind::in_span : TetLocation::Kind::outside, {}};
 }
 
-SpaceLocation DynamicTetrahedralization::locate(const Point3& p, Search& search) const {
+TetLocation DynamicTetrahedralization::locate_from(const Point3& p, Search& search) const {
   return has_tets() ? answer(p, find(p, search)) : locate_in_span(p);
-}
-
-SpaceLocation DynamicTetrahedralization::locate(const Point3& p, MaybeId<VertexId> hint) const {
-  Search search = search_for(p, hint);
-  return locate(p, search);
 }
 
 /// Whether a comes before b in the order of distances from p, ties broken by coordinates.
@@ -119,7 +114,7 @@ bool DynamicTetrahedralization::is_nearer(const Point3& p, VertexId a, VertexId 
 /// A vertex with no neighbour nearer to p has p in its Voronoi cell, so going to the nearest neighbour until there is none
 /// leads to the nearest vertex. Several equally near ones are corners of a convex polytope in an empty sphere, whose edges
 /// are there: some lead on to the lexicographically first, as in the simplex method.
-MaybeId<VertexId> DynamicTetrahedralization::nearest_vertex(const Point3& p, Search& search) const {
+MaybeId<VertexId> DynamicTetrahedralization::nearest_from(const Point3& p, Search& search) const {
   if (!has_tets()) return flat_.nearest(p);
   const TetId found = find(p, search);
   VertexId best = cells_.corners[found][1];
@@ -133,11 +128,6 @@ MaybeId<VertexId> DynamicTetrahedralization::nearest_vertex(const Point3& p, Sea
       if (v != ghost && is_nearer(p, v, best)) best = v;
     if (best == here) return best;
   }
-}
-
-MaybeId<VertexId> DynamicTetrahedralization::nearest_vertex(const Point3& p, MaybeId<VertexId> hint) const {
-  Search search = search_for(p, hint);
-  return nearest_vertex(p, search);
 }
 
 }  // namespace leonhard::delaunay

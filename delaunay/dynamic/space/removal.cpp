@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "leonhard/delaunay/dynamic_tetrahedralization.hpp"
-#include "leonhard/delaunay/topology/conflict3.hpp"
+#include "leonhard/delaunay/topology/tet_conflict.hpp"
 #include "leonhard/kernel/insertion_order.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 
@@ -73,13 +73,13 @@ void DynamicTetrahedralization::remove(VertexId v) {
   }
   const FirstTetrahedron first = first_tetrahedron(link_points);
   // If all others are coplanar, every tetrahedron has v, so they are its neighbours, and the only ones.
-  if (first.extent != SpaceExtent::space && link.size() == size() - 1) {
+  if (first.extent != Extent::space && link.size() == size() - 1) {
     fall_flat(v);
     return;
   }
   replacement_.start();
   for (const TetId t : star_.tets()) replacement_.take(t);
-  if (first.extent == SpaceExtent::space)
+  if (first.extent == Extent::space)
     fill_with_tets(v, link, SmallTetrahedralization(link_points, first).cells());
   else
     fill_with_ghosts(v);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "leonhard/delaunay/dynamic_tetrahedralization.hpp"
-#include "leonhard/delaunay/topology/conflict3.hpp"
+#include "leonhard/delaunay/topology/tet_conflict.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {

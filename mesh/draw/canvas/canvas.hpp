@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "leonhard/mesh/draw/colour.hpp"
-#include "leonhard/mesh/draw/curves.hpp"
+#include "leonhard/mesh/draw/line_style.hpp"
 #include "leonhard/mesh/draw/picture.hpp"
 
 /// What the pictures of this room are painted on: the one place that knows cairo. Not meant for callers of the

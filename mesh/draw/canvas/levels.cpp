@@ -8,9 +8,9 @@
 namespace leonhard::draw {
 namespace {
 
-constexpr double bar_width = 1.15, bar_gap = 0.3, tick_length = 0.3, tick_gap = 0.3,
-                 label_gap = 0.7;  // text sizes
-constexpr TextStyle tick_style{.size = 0.88};
+constexpr double bar_width = 1.15, bar_gap = 0.3, bar_tick_length = 0.3, bar_tick_gap = 0.3,
+                 bar_label_gap = 0.7;  // text sizes
+constexpr TextStyle bar_tick_style{.size = 0.88};
 constexpr double most_labels = 11;
 
 double size_of(const Range& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
@@ -111,9 +111,10 @@ Bands make_bands(const Range& data, const FieldOptions& options, LevelPlace plac
 
 double colour_bar_room(Canvas& canvas, const Bands& bands, const std::string& label) {
   double labels = 0;
-  for (const Tick& tick : bands.labels) labels = std::max(labels, canvas.text_width(tick.label, tick_style));
-  const double text = label.empty() ? 0.0 : label_gap + 0.73;
-  return labels + (bar_gap + bar_width + tick_length + tick_gap + text + 0.6) * canvas.text_size();
+  for (const Tick& tick : bands.labels)
+    labels = std::max(labels, canvas.text_width(tick.label, bar_tick_style));
+  const double text = label.empty() ? 0.0 : bar_label_gap + 0.73;
+  return labels + (bar_gap + bar_width + bar_tick_length + bar_tick_gap + text + 0.6) * canvas.text_size();
 }
 
 void draw_colour_bar(Canvas& canvas, const Rect& bar, const Bands& bands, const std::string& label) {
@@ -156,11 +157,11 @@ void draw_colour_bar(Canvas& canvas, const Rect& bar, const Bands& bands, const 
   double widest = 0;
   for (const Tick& tick : bands.labels) {
     const double y = y_of(tick.value);
-    canvas.line({box.right(), y}, {box.right() + tick_length * em, y}, {ink, 1});
-    canvas.text({box.right() + (tick_length + tick_gap) * em, y}, tick.label, tick_style);
-    widest = std::max(widest, canvas.text_width(tick.label, tick_style));
+    canvas.line({box.right(), y}, {box.right() + bar_tick_length * em, y}, {ink, 1});
+    canvas.text({box.right() + (bar_tick_length + bar_tick_gap) * em, y}, tick.label, bar_tick_style);
+    widest = std::max(widest, canvas.text_width(tick.label, bar_tick_style));
   }
-  const double beside = box.right() + (tick_length + tick_gap + label_gap) * em + widest;
+  const double beside = box.right() + (bar_tick_length + bar_tick_gap + bar_label_gap) * em + widest;
   draw_upright_label(canvas, beside + 0.365 * em, box.top + box.height / 2, label);
 }
 

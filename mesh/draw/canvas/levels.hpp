@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "leonhard/mesh/draw/canvas/axes.hpp"
-#include "leonhard/mesh/draw/mesh_picture.hpp"
+#include "leonhard/mesh/draw/field_options.hpp"
 
 namespace leonhard::draw {
 

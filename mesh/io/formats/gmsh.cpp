@@ -2,11 +2,17 @@
 #include "leonhard/mesh/io/formats/gmsh.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <initializer_list>
 #include <limits>
+#include <optional>
+#include <set>
+#include <type_traits>
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
+#include "leonhard/mesh/io/formats/field_checks.hpp"
 #include "leonhard/mesh/io/formats/gmsh_data.hpp"
 #include "leonhard/mesh/io/formats/gmsh_write.hpp"
 #include "leonhard/mesh/io/formats/whole_regions.hpp"
@@ -24,27 +30,87 @@ namespace {
 /// Lists of cells whose nodes count as used, and how many corners each has.
 using Lists = std::vector<std::pair<std::vector<GmshCell>*, std::size_t>>;
 
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
 /// Drops the nodes that no cell of the lists uses and renumbers the others; files keep the nodes of the geometry.
-void drop_unused_nodes(GmshData& data, const Lists& lists) {
+/// returns  the new index of each node, `none` for those dropped; empty if nothing changed
+std::vector<std::size_t> drop_unused_nodes(GmshData& data, const Lists& lists) {
   std::vector<bool> used(data.points.size(), false);
   for (const auto& [cells, corners] : lists)
     for (const GmshCell& cell : *cells)
       for (std::size_t k = 0; k < corners; ++k) used[cell.corners[k].index()] = true;
   const auto kept = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
-  if (kept == data.points.size() || kept == 0) return;  // without cells there is more to say than that
+  if (kept == data.points.size() || kept == 0) return {};  // without cells there is more to say than that
   data.warnings.push_back(std::to_string(data.points.size() - kept) +
                           " nodes that no cell uses were left out, and the others renumbered");
-  std::vector<VertexId> new_id(data.points.size());
+  std::vector<std::size_t> new_index(data.points.size(), none);
   std::size_t next = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) continue;
-    new_id[i] = VertexId::from(next);
+    new_index[i] = next;
     data.points[next++] = data.points[i];
   }
   data.points.resize(next);
   for (const auto& [cells, corners] : lists)
     for (GmshCell& cell : *cells)
-      for (std::size_t k = 0; k < corners; ++k) cell.corners[k] = new_id[cell.corners[k].index()];
+      for (std::size_t k = 0; k < corners; ++k)
+        cell.corners[k] = VertexId::from(new_index[cell.corners[k].index()]);
+  return new_index;
+}
+
+/// Values in the order of vertices or cells; none if some have no value.
+template <class Field, class IndexOf>
+std::optional<Field> dense_field(const GmshValues& from, std::size_t count, const IndexOf& index_of) {
+  Field field{from.name, from.components, std::vector<double>(count * from.components)};
+  std::vector<bool> has(count, false);
+  for (std::size_t i = 0; i < from.rows.size(); ++i) {
+    const std::size_t row = index_of(from.rows[i]);
+    if (row == none) continue;
+    has[row] = true;
+    std::copy_n(from.values.begin() + static_cast<std::ptrdiff_t>(i * from.components), from.components,
+                field.values.begin() + static_cast<std::ptrdiff_t>(row * from.components));
+  }
+  if (std::find(has.begin(), has.end(), false) != has.end()) return std::nullopt;
+  return field;
+}
+
+/// The file's values as fields of a soup; those that it cannot have a warning tells.
+///
+/// new_index  as drop_unused_nodes returns it
+/// cells      the lists that make up the soup's cells, in that order
+template <class Soup>
+void take_fields(GmshData& data, const std::vector<std::size_t>& new_index,
+                 std::initializer_list<const std::vector<GmshCell>*> cells, Soup& soup) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> cell_of_tag;
+  if (!data.values.empty()) {
+    for (const auto* list : cells)
+      for (const GmshCell& cell : *list) cell_of_tag.emplace_back(cell.tag, cell_of_tag.size());
+    std::sort(cell_of_tag.begin(), cell_of_tag.end());
+  }
+  const auto vertex = [&](std::uint64_t row) { return new_index.empty() ? row : new_index[row]; };
+  const auto cell = [&](std::uint64_t tag) {
+    const auto found =
+        std::lower_bound(cell_of_tag.begin(), cell_of_tag.end(), std::pair(tag, std::size_t{0}));
+    return found != cell_of_tag.end() && found->first == tag ? found->second : none;
+  };
+  std::set<std::pair<bool, std::string>> names;
+  for (const GmshValues& from : data.values) {
+    const auto leave_out = [&](const char* reason) {
+      data.warnings.push_back(std::string("values of ") + (from.of_nodes ? "nodes " : "elements ") +
+                              in_quotes(from.name) + " were left out: " + reason);
+    };
+    if (from.name.empty()) {
+      leave_out("they have no name");
+    } else if (!names.emplace(from.of_nodes, from.name).second) {
+      leave_out("others have this name");
+    } else if (from.of_nodes) {
+      auto field = dense_field<PointField>(from, data.points.size(), vertex);
+      field ? soup.point_fields.push_back(std::move(*field)) : leave_out("not every vertex has one");
+    } else {
+      auto field = dense_field<CellField>(from, cell_of_tag.size(), cell);
+      field ? soup.cell_fields.push_back(std::move(*field)) : leave_out("not every cell has one");
+    }
+  }
 }
 
 /// Names of the groups of one dimension; those of others have no place in a mesh, which a warning tells.
@@ -65,8 +131,9 @@ std::map<Marker, std::string> marker_names_of(GmshData& data, int dimension) {
 /// Ids are no longer the file's numbers.
 constexpr const char* note = "here vertices are numbered from 0 in the order of the file's nodes";
 
-TetSoup tet_soup_of(GmshData& data, const std::string& source) {
+TetSoup tet_soup_of(GmshData& data, const std::vector<std::size_t>& new_index, const std::string& source) {
   TetSoup soup;
+  take_fields(data, new_index, {&data.tetrahedra}, soup);
   soup.source = source;
   soup.note = note;
   soup.marker_names = marker_names_of(data, 2);
@@ -89,8 +156,9 @@ void refuse_points_off_the_plane(const std::vector<Point3>& points, const std::s
                        "only meshes in a plane z = const can be read as triangle meshes");
 }
 
-CellSoup cell_soup_of(GmshData& data, const std::string& source) {
+CellSoup cell_soup_of(GmshData& data, const std::vector<std::size_t>& new_index, const std::string& source) {
   CellSoup soup;
+  take_fields(data, new_index, {&data.triangles, &data.quadrilaterals}, soup);
   soup.source = source;
   soup.note = note;
   soup.marker_names = marker_names_of(data, 1);
@@ -123,16 +191,41 @@ Marker checked_group(Marker marker) {
   return marker;
 }
 
+bool is_plain(const std::string& name) {
+  return std::none_of(name.begin(), name.end(),
+                      [](char c) { return c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+}
+
 void add_names(GmshData& data, const std::map<Marker, std::string>& names, int dimension) {
   for (const auto& [marker, name] : names) {
-    const bool is_plain = std::none_of(name.begin(), name.end(), [](char c) {
-      return c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    });
-    if (!is_plain)
+    if (!is_plain(name))
       throw InputError("marker " + std::to_string(marker),
                        "its name " + in_quotes(name) + " holds a quotation mark or a control character",
                        "choose a name that a .msh file can hold");
     data.names.emplace(std::pair(dimension, checked_group(marker)), name);
+  }
+}
+
+/// The fields of vertices or of cells, the first of which has the tag `first`; Gmsh knows 1, 3 and 9 components.
+template <class Field>
+void add_fields(GmshData& data, const std::vector<Field>& fields, std::size_t count, std::size_t first) {
+  check_fields(fields, count, {});
+  for (const Field& field : fields) {
+    const std::size_t n = field.components, written = n == 2 ? 3 : n;
+    if (!is_plain(field.name) || (written != 1 && written != 3 && written != 9))
+      throw InputError("field " + in_quotes(field.name),
+                       written != 1 && written != 3 && written != 9
+                           ? "it has " + std::to_string(n) + " components, and Gmsh knows 1, 3 and 9"
+                           : "its name holds a quotation mark or a control character",
+                       "change it, or write a .vtu file");
+    GmshValues values{std::is_same_v<Field, PointField>, field.name, written, {}, {}};
+    for (std::size_t i = 0; i < count; ++i) {
+      values.rows.push_back(first + i);
+      const auto row = field.values.begin() + static_cast<std::ptrdiff_t>(i * n);
+      values.values.insert(values.values.end(), row, row + static_cast<std::ptrdiff_t>(n));
+      values.values.resize((i + 1) * written);
+    }
+    data.values.push_back(std::move(values));
   }
 }
 
@@ -171,8 +264,8 @@ TetMeshFile parse_tet_gmsh(std::string_view bytes, const std::string& source) {
   GmshData data = parse_gmsh_data(bytes, source);
   if (!data.quadrilaterals.empty())
     throw InputError(source, "the file has quadrilaterals", "a tetrahedral mesh has none");
-  drop_unused_nodes(data, {{&data.tetrahedra, 4}, {&data.triangles, 3}});
-  TetSoup soup = tet_soup_of(data, source);
+  const auto new_index = drop_unused_nodes(data, {{&data.tetrahedra, 4}, {&data.triangles, 3}});
+  TetSoup soup = tet_soup_of(data, new_index, source);
   return with_warnings(assemble(std::move(soup), FaceRule::fill_in_the_boundary), data.warnings);
 }
 
@@ -180,9 +273,10 @@ MeshFile parse_gmsh(std::string_view bytes, const std::string& source) {
   GmshData data = parse_gmsh_data(bytes, source);
   if (!data.tetrahedra.empty())
     throw InputError(source, "the file has tetrahedra: it is a mesh of space", "give a mesh of triangles");
-  drop_unused_nodes(data, {{&data.triangles, 3}, {&data.quadrilaterals, 4}, {&data.lines, 2}});
+  const auto new_index =
+      drop_unused_nodes(data, {{&data.triangles, 3}, {&data.quadrilaterals, 4}, {&data.lines, 2}});
   refuse_points_off_the_plane(data.points, source);
-  CellSoup soup = cell_soup_of(data, source);
+  CellSoup soup = cell_soup_of(data, new_index, source);
   return with_warnings(assemble(std::move(soup), EdgeRule::fill_in_the_boundary), data.warnings);
 }
 
@@ -193,18 +287,40 @@ MeshFile read_gmsh(const std::filesystem::path& path) {
   return parse_gmsh(read_whole_file(path), path.string());
 }
 
-std::string format_gmsh(const TetMesh& mesh, const GmshForm& form) {
-  return format_gmsh_data(data_of(mesh), form);
-}
-std::string format_gmsh(const TriangleMesh& mesh, const GmshForm& form) {
-  return format_gmsh_data(data_of(mesh), form);
+namespace {
+
+/// Cells are numbered from 1, those of the boundary and inside it first.
+template <class Mesh>
+std::string format(const Mesh& mesh, const GmshForm& form, const std::vector<PointField>& point_fields,
+                   const std::vector<CellField>& cell_fields) {
+  GmshData data = data_of(mesh);
+  const std::size_t cells = mesh.corners.size(),
+                    all = data.lines.size() + data.triangles.size() + data.tetrahedra.size();
+  add_fields(data, point_fields, mesh.vertex_count(), 0);
+  add_fields(data, cell_fields, cells, all - cells + 1);
+  return format_gmsh_data(data, form);
 }
 
-void write_gmsh(const std::filesystem::path& path, const TetMesh& mesh, const GmshForm& form) {
-  write_file_atomically(path, format_gmsh(mesh, form));
+}  // namespace
+
+std::string format_gmsh(const TetMesh& mesh, const GmshForm& form,
+                        const std::vector<PointField>& point_fields,
+                        const std::vector<CellField>& cell_fields) {
+  return format(mesh, form, point_fields, cell_fields);
 }
-void write_gmsh(const std::filesystem::path& path, const TriangleMesh& mesh, const GmshForm& form) {
-  write_file_atomically(path, format_gmsh(mesh, form));
+std::string format_gmsh(const TriangleMesh& mesh, const GmshForm& form,
+                        const std::vector<PointField>& point_fields,
+                        const std::vector<CellField>& cell_fields) {
+  return format(mesh, form, point_fields, cell_fields);
+}
+
+void write_gmsh(const std::filesystem::path& path, const TetMesh& mesh, const GmshForm& form,
+                const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
+  write_file_atomically(path, format(mesh, form, point_fields, cell_fields));
+}
+void write_gmsh(const std::filesystem::path& path, const TriangleMesh& mesh, const GmshForm& form,
+                const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
+  write_file_atomically(path, format(mesh, form, point_fields, cell_fields));
 }
 
 }  // namespace leonhard::io

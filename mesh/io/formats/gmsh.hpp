@@ -4,24 +4,18 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "leonhard/mesh/io/mesh_file.hpp"
-#include "leonhard/mesh/io/tet_mesh_file.hpp"
+#include "leonhard/mesh/io/file_contents.hpp"
+#include "leonhard/mesh/io/formats/gmsh_form.hpp"
 
 namespace leonhard::io {
 
-enum class GmshVersion { v2_2, v4_1 };
-
-/// The form in which a .msh file is written.
-struct GmshForm {
-  GmshVersion version = GmshVersion::v4_1;
-  bool binary = false;  ///< in this machine's byte order; else text
-};
-
 /// Read a tetrahedral mesh of Gmsh (https://gmsh.info/doc/texinfo/gmsh.html, "Gmsh file formats"), version 2.2 or 4.1,
 /// text or binary of either byte order. Physical groups of triangles are the markers, those of tetrahedra the regions;
-/// names of groups of surfaces are the markers' names. Points and lines are left out; so are nodes that no cell uses, and
-/// data, with a warning.
+/// names of groups of surfaces are the markers' names. Points and lines are left out; so are nodes that no cell uses, with
+/// a warning. $NodeData and $ElementData come as fields where every vertex or tetrahedron has a value, the first of each
+/// name; others, and other data, are left out with a warning.
 ///
 /// A boundary face that is not listed gets a marker (see tet_soup.hpp), listed inner faces in a group are interfaces.
 /// Vertices are numbered in the order of the file's nodes, whatever their tags.
@@ -37,16 +31,26 @@ struct GmshForm {
 [[nodiscard]] MeshFile read_gmsh(const std::filesystem::path& path);
 [[nodiscard]] MeshFile parse_gmsh(std::string_view bytes, const std::string& source);
 
-/// Write a mesh so that it comes back: points to the last bit, cells and their order, markers, names and regions. The
-/// format has no place for the vertices' markers.
+/// Write a mesh so that it comes back: points to the last bit, cells and their order, markers, names, regions, and fields
+/// ($NodeData and $ElementData). The format has no place for the vertices' markers. Gmsh knows 1, 3 and 9 components of a
+/// field; two are written as three with a zero, and come back as three.
 ///
 /// throws InputError if a marker is negative (Gmsh takes the sign for a direction), a region is no whole number from 0
-/// to 2^31 - 1, or a name holds a quotation mark or a control character; OutputError
-void write_gmsh(const std::filesystem::path& path, const TetMesh& mesh, const GmshForm& form = {});
-void write_gmsh(const std::filesystem::path& path, const TriangleMesh& mesh, const GmshForm& form = {});
+/// to 2^31 - 1, a name holds a quotation mark or a control character, or a field does not fit the mesh or has another
+/// number of components; OutputError
+void write_gmsh(const std::filesystem::path& path, const TetMesh& mesh, const GmshForm& form = {},
+                const std::vector<PointField>& point_fields = {},
+                const std::vector<CellField>& cell_fields = {});
+void write_gmsh(const std::filesystem::path& path, const TriangleMesh& mesh, const GmshForm& form = {},
+                const std::vector<PointField>& point_fields = {},
+                const std::vector<CellField>& cell_fields = {});
 
 /// The bytes that write_gmsh writes.
-[[nodiscard]] std::string format_gmsh(const TetMesh& mesh, const GmshForm& form = {});
-[[nodiscard]] std::string format_gmsh(const TriangleMesh& mesh, const GmshForm& form = {});
+[[nodiscard]] std::string format_gmsh(const TetMesh& mesh, const GmshForm& form = {},
+                                      const std::vector<PointField>& point_fields = {},
+                                      const std::vector<CellField>& cell_fields = {});
+[[nodiscard]] std::string format_gmsh(const TriangleMesh& mesh, const GmshForm& form = {},
+                                      const std::vector<PointField>& point_fields = {},
+                                      const std::vector<CellField>& cell_fields = {});
 
 }  // namespace leonhard::io

@@ -118,6 +118,7 @@ class GmshParser {
     }
     if (name == "PartitionedEntities")
       numbers_.fail("the mesh is partitioned", "save it as one (Gmsh: Mesh.SaveAll after unpartitioning)");
+    if (name == "NodeData" || name == "ElementData") return read_values(name);
     if (name != "Comments")
       data_.warnings.push_back(numbers_.where() + ": the section $" + name + " was passed over");
     numbers_.skip_past("$End" + name);
@@ -158,6 +159,50 @@ class GmshParser {
         scan.fail("the physical group " + std::to_string(group) + " of dimension " +
                   std::to_string(dimension) + " gets a second name");
     }
+  }
+
+  /// Values by nodes or elements; text of one entry a line before them, in binary files too.
+  void read_values(const std::string& section) {
+    GmshValues result;
+    result.of_nodes = section == "NodeData";
+    if (!sections_.contains(result.of_nodes ? "Nodes" : "Elements"))
+      numbers_.fail("the section $" + section + " comes before what it is about");
+    const std::size_t strings = read_line_count("the number of string tags");
+    for (std::size_t i = 0; i < strings; ++i) {
+      TextScanner scan = line_scanner("a string tag");
+      std::string_view text = scan.rest();
+      if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+        text = text.substr(1, text.size() - 2);
+      if (i == 0) result.name = text;
+    }
+    const std::size_t reals = read_line_count("the number of real tags");
+    for (std::size_t i = 0; i < reals; ++i) line_scanner("a real tag");
+    const std::size_t integers = read_line_count("the number of integer tags");
+    std::array<std::size_t, 3> tags{};  // time step, components, rows
+    for (std::size_t i = 0; i < integers; ++i) {
+      const std::size_t tag = read_line_count("an integer tag");
+      if (i < tags.size()) tags[i] = tag;
+    }
+    constexpr std::size_t most_components = 1000;
+    if (integers < tags.size() || tags[1] == 0 || tags[1] > most_components)
+      numbers_.fail("the integer tags of $" + section + " state no number of components from 1 to " +
+                    std::to_string(most_components) + " and no number of rows");
+    result.components = tags[1];
+    numbers_.need(tags[2], 1 + result.components, "rows of values");
+    result.rows.reserve(tags[2]);
+    result.values.reserve(tags[2] * result.components);
+    for (std::size_t i = 0; i < tags[2]; ++i) {
+      const std::int32_t tag = numbers_.integer("the number of a node or an element");
+      const auto row = static_cast<std::uint64_t>(std::max(tag, 0));
+      result.rows.push_back(result.of_nodes ? node(row).index() : row);
+      for (std::size_t k = 0; k < result.components; ++k)
+        result.values.push_back(numbers_.any_real("a value"));
+    }
+    const std::string_view end = numbers_.text_line();
+    if (end != "$End" + section)
+      numbers_.fail("found " + in_quotes(end) + " where $End" + section + " was expected",
+                    "a count is wrong, or the file was cut short");
+    data_.values.push_back(std::move(result));
   }
 
   Marker magnitude(std::int32_t group) const {
@@ -293,8 +338,9 @@ class GmshParser {
 
   /// An element after its tags. next: reads the tag of a node
   template <class Next>
-  void read_element(const ElementType& type, Marker group, Marker entity, const Next& next) {
-    CellOnEntity result{{{}, group, numbers_.line()}, entity};
+  void read_element(const ElementType& type, std::uint64_t element, Marker group, Marker entity,
+                    const Next& next) {
+    CellOnEntity result{{{}, group, numbers_.line(), element}, entity};
     for (std::size_t k = 0; k < type.nodes; ++k) {
       const std::uint64_t tag = next();
       if (type.is_read) result.cell.corners[k] = node(tag);
@@ -308,14 +354,15 @@ class GmshParser {
     return static_cast<std::uint64_t>(tag);
   }
 
-  void read_old_element(const ElementType& type, std::int32_t tags) {
+  void read_old_element(const ElementType& type, std::int32_t element, std::int32_t tags) {
     Marker group = 0, entity = 0;
     for (std::int32_t i = 0; i < tags; ++i) {
       const std::int32_t tag = numbers_.integer("a tag of an element");
       if (i == 0) group = magnitude(tag);
       if (i == 1) entity = magnitude(tag);
     }
-    read_element(type, group, entity, [&] { return old_node(); });
+    read_element(type, static_cast<std::uint64_t>(std::max(element, 0)), group, entity,
+                 [&] { return old_node(); });
   }
 
   void check_tag_count(std::int32_t tags) const {
@@ -329,11 +376,11 @@ class GmshParser {
     if (numbers_.line() == 0) return read_old_blocks(count);
     numbers_.need(count, 4, "elements");
     for (std::size_t i = 0; i < count; ++i) {
-      numbers_.integer("the number of an element");
+      const std::int32_t element = numbers_.integer("the number of an element");
       const ElementType& type = type_of(numbers_.integer("the type of an element"));
       const std::int32_t tags = numbers_.integer("the number of tags of an element");
       check_tag_count(tags);
-      read_old_element(type, tags);
+      read_old_element(type, element, tags);
     }
   }
 
@@ -350,8 +397,8 @@ class GmshParser {
       numbers_.need(static_cast<std::uint64_t>(many), 1 + type.nodes + static_cast<std::size_t>(tags),
                     "elements");
       for (std::int32_t i = 0; i < many; ++i) {
-        numbers_.integer("the number of an element");
-        read_old_element(type, tags);
+        const std::int32_t element = numbers_.integer("the number of an element");
+        read_old_element(type, element, tags);
       }
       done += static_cast<std::size_t>(many);
     }
@@ -374,8 +421,9 @@ class GmshParser {
       const auto found = group_of_entity_.find({type.dimension, entity});
       const Marker group = found == group_of_entity_.end() ? 0 : found->second;
       for (std::uint64_t i = 0; i < count; ++i) {
-        numbers_.size("the number of an element");
-        read_element(type, group, magnitude(entity), [&] { return numbers_.size("a node of an element"); });
+        const std::uint64_t element = numbers_.size("the number of an element");
+        read_element(type, element, group, magnitude(entity),
+                     [&] { return numbers_.size("a node of an element"); });
       }
       done += count;
     }

@@ -21,17 +21,30 @@ struct GmshCell {
   std::array<VertexId, 4> corners;
   Marker group = 0;        ///< number of its physical group, 0 if it is in none
   std::uint32_t line = 0;  ///< of the file; 0 in a binary one
+  std::uint64_t tag = 0;   ///< its number in the file, by which data name it
+};
+
+/// A section $NodeData or $ElementData.
+struct GmshValues {
+  bool of_nodes{};
+  std::string name;
+  std::size_t components = 1;
+  std::vector<std::uint64_t>
+      rows;                    ///< what has values: indices of points, or tags of elements; repeated maybe
+  std::vector<double> values;  ///< components a row
 };
 
 struct GmshData {
   std::vector<Point3> points;
   std::vector<GmshCell> lines, triangles, quadrilaterals, tetrahedra;
   std::map<std::pair<int, Marker>, std::string> names;  ///< of physical groups, by dimension and number
+  std::vector<GmshValues> values;                       ///< in the file's order
   std::vector<std::string> warnings;
 };
 
 /// A file of format 2.2 or 4.1, text or binary of either byte order (https://gmsh.info/doc/texinfo/gmsh.html,
-/// "Gmsh file formats"). Elements of points and lines of higher order are left out, and sections of data with a warning.
+/// "Gmsh file formats"). Elements of points and lines of higher order are left out, and sections of other data than
+/// nodes' and elements' with a warning.
 ///
 /// Where no cell is in a physical group and there is no section $PhysicalNames, the numbers of the geometry's entities
 /// stand for the groups'; a warning tells it. The sign of a physical group, which tells a direction, is dropped.

@@ -20,6 +20,7 @@ class GmshNumbers {
   virtual std::int32_t integer(const char* expected) = 0;  ///< 4 bytes in binary
   virtual std::uint64_t size(const char* expected) = 0;    ///< 8 bytes in binary
   virtual double real(const char* expected) = 0;
+  virtual double any_real(const char* expected) = 0;  ///< NaN and infinities too
   /// throws InputError unless the file can hold so many more things; each takes so many numbers
   virtual void need(std::uint64_t count, std::size_t numbers_each, const char* expected) = 0;
   virtual void skip_past(std::string_view line) = 0;     ///< to behind a line of text
@@ -51,6 +52,14 @@ class GmshText final : public GmshNumbers {
   double real(const char* expected) override {
     scan_.need_word(expected);
     return scan_.number(expected);
+  }
+  double any_real(const char* expected) override {
+    scan_.need_word(expected);
+    const std::string_view word = scan_.word(expected);
+    double value = 0;
+    const NumberFault fault = parse_number(word, value);
+    if (fault != NumberFault::none && fault != NumberFault::not_finite) scan_.fail_found(word, expected);
+    return value;
   }
   void need(std::uint64_t count, std::size_t numbers_each, const char* expected) override {
     if (count > (scan_.bytes_left() + 1) / (2 * numbers_each))  // a digit and a blank each
@@ -90,6 +99,7 @@ class GmshBytes final : public GmshNumbers {
   std::int32_t integer(const char* expected) override { return reader_.take<std::int32_t>(expected); }
   std::uint64_t size(const char* expected) override { return reader_.take<std::uint64_t>(expected); }
   double real(const char* expected) override { return reader_.take<double>(expected); }
+  double any_real(const char* expected) override { return real(expected); }
   void need(std::uint64_t count, std::size_t numbers_each, const char* expected) override {
     reader_.need(count, 4 * numbers_each, expected);
   }

@@ -106,6 +106,19 @@ void write_coordinates(GmshOutput& out, const Point3& p) {
   for (const double x : {p.x, p.y, p.z}) out.real(x);
 }
 
+/// $NodeData or $ElementData, the same in both versions: rows of a 32-bit number and doubles.
+void write_values(GmshOutput& out, const GmshValues& field) {
+  const std::string section = field.of_nodes ? "NodeData" : "ElementData";
+  out.text("$" + section + "\n1\n\"" + field.name + "\"\n1\n0\n3\n0\n" + std::to_string(field.components) +
+           "\n" + std::to_string(field.rows.size()) + "\n");
+  for (std::size_t i = 0; i < field.rows.size(); ++i) {
+    out.integer(static_cast<std::int32_t>(field.rows[i] + (field.of_nodes ? 1 : 0)));
+    for (std::size_t k = 0; k < field.components; ++k) out.real(field.values[i * field.components + k]);
+    out.end_line();
+  }
+  out.end_section(section);
+}
+
 // ---- version 2.2 ----
 
 void write_nodes(GmshOutput& out, const GmshData& data) {
@@ -260,6 +273,7 @@ std::string format_gmsh_data(const GmshData& data, const GmshForm& form) {
     write_node_block(out, lists, data.points);
     write_element_blocks(out, lists);
   }
+  for (const GmshValues& field : data.values) write_values(out, field);
   return std::move(out).finish();
 }
 

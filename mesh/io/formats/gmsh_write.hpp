@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "leonhard/mesh/io/formats/gmsh.hpp"
 #include "leonhard/mesh/io/formats/gmsh_data.hpp"
+#include "leonhard/mesh/io/formats/gmsh_form.hpp"
 
 namespace leonhard::io {
 

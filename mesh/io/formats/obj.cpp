@@ -10,7 +10,7 @@ namespace leonhard::io {
 namespace {
 
 /// x, y, z, perhaps a weight or a colour, which say nothing about where the vertex is.
-Point3 read_vertex(TextScanner& scan) {
+Point3 read_obj_vertex(TextScanner& scan) {
   const double x = scan.number("the x coordinate of a vertex");
   const double y = scan.number("the y coordinate of a vertex");
   const Point3 p{x, y, scan.number("the z coordinate of a vertex")};
@@ -43,7 +43,7 @@ SurfaceFile parse_obj(std::string_view text, const std::string& source) {
   while (scan.next_line()) {
     const std::string_view keyword = scan.word("a keyword");
     if (keyword == "v") {
-      surface.add_point(read_vertex(scan));
+      surface.add_point(read_obj_vertex(scan));
     } else if (keyword == "f") {
       std::size_t corners = 0;
       for (; !scan.line_done(); ++corners) surface.add_corner(read_corner(scan, surface.point_count()));

@@ -22,7 +22,7 @@ void read_keyword(TextScanner& scan) {
     scan.fail("the file is a binary one", "only the text form can be read; write it as text, or as .ply");
 }
 
-Point3 read_vertex(TextScanner& scan) {
+Point3 read_off_vertex(TextScanner& scan) {
   scan.need_line("a vertex");
   const double x = scan.number("the x coordinate of a vertex");
   const double y = scan.number("the y coordinate of a vertex");
@@ -43,7 +43,7 @@ SurfaceFile parse_off(std::string_view text, const std::string& source) {
 
   surface.reserve_points(vertices);
   for (std::size_t i = 0; i < vertices; ++i) {
-    surface.add_point(read_vertex(scan));
+    surface.add_point(read_off_vertex(scan));
     while (!scan.line_done()) scan.number("a colour or a normal of a vertex");
   }
   for (std::size_t i = 0; i < faces; ++i) {

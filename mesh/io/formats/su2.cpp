@@ -23,9 +23,9 @@ constexpr const char* partitioned = "this is one part of a partitioned mesh; giv
 
 // ---- reading ----
 
-class PlaneParser final : Su2Parser {
+class TriangleParser final : Su2Parser {
  public:
-  PlaneParser(std::string_view text, const std::string& source) : Su2Parser(text, source, 2) {
+  TriangleParser(std::string_view text, const std::string& source) : Su2Parser(text, source, 2) {
     soup_.source = source;
   }
 
@@ -80,9 +80,9 @@ class PlaneParser final : Su2Parser {
   CellSoup soup_;
 };
 
-class SpaceParser final : Su2Parser {
+class TetParser final : Su2Parser {
  public:
-  SpaceParser(std::string_view text, const std::string& source) : Su2Parser(text, source, 3) {
+  TetParser(std::string_view text, const std::string& source) : Su2Parser(text, source, 3) {
     soup_.source = source;
   }
 
@@ -142,11 +142,11 @@ class SpaceParser final : Su2Parser {
 // ---- writing ----
 
 /// How a mesh of the plane or of space is written: NDIME, types, and the vertices of an element of the boundary.
-struct PlaneKind {
+struct TriangleKind {
   static constexpr std::int64_t dimension = 2, cell = triangle_type, boundary = line_type;
   static std::array<VertexId, 2> vertices(const MarkedEdge& edge) { return {edge.from, edge.to}; }
 };
-struct SpaceKind {
+struct TetKind {
   static constexpr std::int64_t dimension = 3, cell = tetrahedron_type, boundary = triangle_type;
   static std::array<VertexId, 3> vertices(const MarkedFace& face) { return face.corners; }
 };
@@ -196,10 +196,10 @@ std::string format(const Mesh& mesh) {
 }  // namespace
 
 MeshFile parse_su2(std::string_view text, const std::string& source) {
-  return PlaneParser(text, source).parse();
+  return TriangleParser(text, source).parse();
 }
 TetMeshFile parse_tet_su2(std::string_view text, const std::string& source) {
-  return SpaceParser(text, source).parse();
+  return TetParser(text, source).parse();
 }
 
 MeshFile read_su2(const std::filesystem::path& path) {
@@ -209,8 +209,8 @@ TetMeshFile read_tet_su2(const std::filesystem::path& path) {
   return parse_tet_su2(read_whole_file(path), path.string());
 }
 
-std::string format_su2(const TriangleMesh& mesh) { return format<PlaneKind>(mesh); }
-std::string format_su2(const TetMesh& mesh) { return format<SpaceKind>(mesh); }
+std::string format_su2(const TriangleMesh& mesh) { return format<TriangleKind>(mesh); }
+std::string format_su2(const TetMesh& mesh) { return format<TetKind>(mesh); }
 
 void write_su2(const std::filesystem::path& path, const TriangleMesh& mesh) {
   write_file_atomically(path, format_su2(mesh));

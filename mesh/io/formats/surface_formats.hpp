@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "leonhard/mesh/io/surface_file.hpp"
+#include "leonhard/mesh/io/surface_contents.hpp"
 
 /// One function a surface format, each in a file of its own; what read_surface chooses from. source names the text in
 /// errors; all throw InputError as read_surface does.

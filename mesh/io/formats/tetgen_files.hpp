@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "leonhard/mesh/io/tet_mesh_file.hpp"
+#include "leonhard/mesh/io/file_contents.hpp"
 
 namespace leonhard::io {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/file_contents.hpp"
 #include "leonhard/mesh/pslg.hpp"
 
 namespace leonhard::io {

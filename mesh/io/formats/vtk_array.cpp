@@ -227,13 +227,17 @@ const NumberType<Wanted>& type_of(const XmlElement& array, const VtkEncoding& en
 
 template <class Wanted>
 std::vector<Wanted> read_ascii(const XmlElement& array, const VtkEncoding& encoding,
-                               std::optional<std::size_t> count) {
+                               std::optional<std::size_t> count, bool any_double) {
   std::vector<Wanted> numbers;
   TextScanner scan(array.text, encoding.source, {.lines_before = array.text_line - 1});
   while (scan.next_line())
     while (!scan.line_done()) {
       if constexpr (std::is_integral_v<Wanted>) {
         numbers.push_back(scan.integer("a whole number"));
+      } else if (any_double) {
+        const std::string_view word = scan.word("a number");
+        const NumberFault fault = parse_number(word, numbers.emplace_back());
+        if (fault != NumberFault::none && fault != NumberFault::not_finite) scan.fail_found(word, "a number");
       } else {
         numbers.push_back(scan.number("a number"));
       }
@@ -248,10 +252,10 @@ std::vector<Wanted> read_ascii(const XmlElement& array, const VtkEncoding& encod
 
 template <class Wanted>
 std::vector<Wanted> read_numbers(const XmlElement& array, const VtkEncoding& encoding,
-                                 std::optional<std::size_t> count) {
+                                 std::optional<std::size_t> count, bool any_double = false) {
   const NumberType<Wanted>& type = type_of<Wanted>(array, encoding);
   const std::string format = array.attribute("format", "ascii");
-  if (format == "ascii") return read_ascii<Wanted>(array, encoding, count);
+  if (format == "ascii") return read_ascii<Wanted>(array, encoding, count, any_double);
   if (format != "binary" && format != "appended")
     fail(array, encoding, "has the unknown format " + in_quotes(format));
   if (count && *count > std::numeric_limits<std::size_t>::max() / type.size)
@@ -305,6 +309,10 @@ VtkEncoding vtk_encoding(const XmlElement& root, const std::string& source) {
 std::vector<double> read_doubles(const XmlElement& array, const VtkEncoding& encoding,
                                  std::optional<std::size_t> count) {
   return read_numbers<double>(array, encoding, count);
+}
+std::vector<double> read_field_values(const XmlElement& array, const VtkEncoding& encoding,
+                                      std::size_t count) {
+  return read_numbers<double>(array, encoding, count, true);
 }
 
 std::vector<std::int64_t> read_integers(const XmlElement& array, const VtkEncoding& encoding,

@@ -37,6 +37,10 @@ struct VtkEncoding {
 [[nodiscard]] std::vector<std::int64_t> read_integers(const XmlElement& array, const VtkEncoding& encoding,
                                                       std::optional<std::size_t> count);
 
+/// As read_doubles, but NaN and infinities count as numbers in ascii too: nan, inf, -inf.
+[[nodiscard]] std::vector<double> read_field_values(const XmlElement& array, const VtkEncoding& encoding,
+                                                    std::size_t count);
+
 /// Append an array's bytes with their header of 64-bit sizes, compressed where Leonhard was built with zlib.
 void append_vtk_bytes(std::string& appended, std::string_view bytes);
 

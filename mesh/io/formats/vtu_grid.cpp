@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 /// Names under which other programs keep the number of the physical group that a cell belongs to.
 constexpr const char* cell_marker_names[] = {"marker", "gmsh:physical", "medit:ref", "CellEntityIds"};
+
+/// No field of anybody has more, and no product with a number of vertices overflows.
+constexpr std::int64_t most_components = 1000;
 
 /// "it has density, mach", for the message about a field that is not there.
 std::string field_names(const XmlElement* data) {
@@ -195,17 +199,71 @@ std::map<Marker, std::string> VtuGrid::read_marker_names() const {
   return result;
 }
 
+/// The numbers of one array, without the third component that write_vtu adds to two.
+template <class Field>
+Field VtuGrid::read_field(const XmlElement& array, std::size_t rows) const {
+  Field field{array.attribute("Name"), 1, {}};
+  const std::string text = array.attribute("NumberOfComponents", "1");
+  TextScanner scan(text, source_, {.lines_before = array.line - 1});
+  scan.need_line("the number of components");
+  const std::int64_t components = scan.integer("the number of components");
+  if (components < 1 || components > most_components)
+    fail(array, "the field " + in_quotes(field.name) + " has " + std::to_string(components) + " components",
+         "1 to " + std::to_string(most_components) + " can be read");
+  field.components = static_cast<std::size_t>(components);
+  field.values = read_field_values(array, encoding_, field.components * rows);
+  if (components == 3 && array.attribute(vtu_names::components) == "2") {
+    for (std::size_t i = 0; i < rows; ++i)
+      std::copy_n(field.values.begin() + static_cast<std::ptrdiff_t>(3 * i), 2,
+                  field.values.begin() + static_cast<std::ptrdiff_t>(2 * i));
+    field.components = 2;
+    field.values.resize(2 * rows);
+  }
+  return field;
+}
+
+template <class Field>
+std::vector<Field> VtuGrid::read_fields(const XmlElement* data, std::size_t rows, const std::string& kept,
+                                        std::vector<std::string>& warnings) const {
+  std::vector<Field> fields;
+  std::set<std::string> names;
+  if (data == nullptr) return fields;
+  for (const XmlElement& array : data->children) {
+    if (array.name != "DataArray" && array.name != "Array") continue;
+    const std::string name = array.attribute("Name");
+    const bool is_number = array.name == "DataArray" && array.attribute("type") != "String";
+    if (name == kept && names.insert(name).second) continue;  // the mesh has it
+    const char* reason = !is_number                   ? "it holds no numbers"
+                         : name.empty()               ? "it has no name"
+                         : !names.insert(name).second ? "another one has this name"
+                                                      : nullptr;
+    if (reason != nullptr) {
+      warnings.push_back(at_line(source_, array.line) + ": the array " + in_quotes(name) +
+                         " was left out: " + reason);
+    } else {
+      fields.push_back(read_field<Field>(array, rows));
+    }
+  }
+  return fields;
+}
+
+std::vector<PointField> VtuGrid::read_point_fields(std::vector<std::string>& warnings) const {
+  return read_fields<PointField>(piece_->child("PointData"), point_count_, vtu_names::vertex_marker,
+                                 warnings);
+}
+std::vector<CellField> VtuGrid::read_cell_fields(std::vector<std::string>& warnings) const {
+  return read_fields<CellField>(cell_data(), cell_count_, vtu_names::region, warnings);
+}
+
 PointField VtuGrid::read_field(const std::string& name) const {
   const XmlElement* data = piece_->child("PointData");
   const XmlElement* array = find_array(data, name);
   if (array == nullptr)
     fail(data != nullptr ? *data : *piece_, "there is no point field " + in_quotes(name), field_names(data));
-  PointField field{name, 1, {}};
-  const std::string components = array->attribute("NumberOfComponents", "1");
-  if (components != "1" && components != "2" && components != "3")
-    fail(*array, "the field " + in_quotes(name) + " has " + components + " components", "1 to 3 can be read");
-  field.components = static_cast<std::size_t>(components[0] - '0');
-  field.values = read_doubles(*array, encoding_, field.components * point_count_);
+  PointField field = read_field<PointField>(*array, point_count_);
+  if (field.components > 3)
+    fail(*array, "the field " + in_quotes(name) + " has " + std::to_string(field.components) + " components",
+         "1 to 3 can be read");
   for (std::size_t i = 0; i < field.values.size(); ++i)
     if (!std::isfinite(field.values[i]))
       fail(*array, "the field " + in_quotes(name) + " is not finite at vertex " +

@@ -12,9 +12,9 @@
 
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/id.hpp"
+#include "leonhard/mesh/io/file_contents.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
 #include "leonhard/mesh/io/formats/xml.hpp"
-#include "leonhard/mesh/io/vtu.hpp"
 #include "leonhard/mesh/pslg.hpp"
 
 /// What the grids of the plane and of space have in common. Not meant for callers of the room.
@@ -65,7 +65,11 @@ class VtuGrid {
   [[nodiscard]] std::map<Marker, std::string> read_marker_names() const;
   /// Rows of whole numbers.
   [[nodiscard]] std::vector<std::int64_t> read_rows(const XmlElement& array, std::size_t width) const;
+  /// A field whose values are all finite.
   [[nodiscard]] PointField read_field(const std::string& name) const;
+  /// All fields of points and of cells but those that carry the mesh; what is left out the warnings say.
+  [[nodiscard]] std::vector<PointField> read_point_fields(std::vector<std::string>& warnings) const;
+  [[nodiscard]] std::vector<CellField> read_cell_fields(std::vector<std::string>& warnings) const;
 
   [[nodiscard]] static const XmlElement* find_array(const XmlElement* data, std::string_view name);
   [[nodiscard]] VertexId vertex(const XmlElement& array, std::int64_t id) const;   ///< which must exist
@@ -78,6 +82,11 @@ class VtuGrid {
   std::size_t read_count(const XmlElement& element, const char* attribute) const;
   std::optional<std::vector<std::int64_t>> find_numbers(const XmlElement* data, std::string_view name,
                                                         std::size_t count) const;
+  template <class Field>
+  std::vector<Field> read_fields(const XmlElement* data, std::size_t rows, const std::string& kept,
+                                 std::vector<std::string>& warnings) const;
+  template <class Field>
+  Field read_field(const XmlElement& array, std::size_t rows) const;
   std::vector<Marker> markers(const XmlElement& array, const std::vector<std::int64_t>& numbers) const;
 
   const std::string& source_;

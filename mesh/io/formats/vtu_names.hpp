@@ -6,6 +6,7 @@ namespace leonhard::io::vtu_names {
 
 inline constexpr const char* vertex_marker = "marker";                    ///< point data
 inline constexpr const char* region = "region";                           ///< cell data
+inline constexpr const char* components = "leonhard_components";          ///< attribute of arrays
 inline constexpr const char* boundary = "leonhard_boundary";              ///< field data: vertices, marker
 inline constexpr const char* constraints = "leonhard_constraints";        ///< field data: from, to, marker
 inline constexpr const char* interfaces = "leonhard_interfaces";          ///< field data: vertices, marker

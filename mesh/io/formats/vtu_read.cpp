@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "leonhard/mesh/io/formats/vtu_grid.hpp"
@@ -48,9 +49,27 @@ File with_name_for_1(File file, bool knows_boundary) {
   return file;
 }
 
+/// The file's cell fields without the rows of cells of other types, such as lines on the boundary.
+std::vector<CellField> rows_of_cells(const VtuGrid& grid, const VtuCells& cells,
+                                     std::initializer_list<std::int64_t> types,
+                                     std::vector<std::string>& warnings) {
+  std::vector<CellField> fields = grid.read_cell_fields(warnings);
+  for (CellField& field : fields) {
+    std::size_t kept = 0;
+    for (std::size_t c = 0; c < cells.count(); ++c) {
+      if (std::find(types.begin(), types.end(), cells.types[c]) == types.end()) continue;
+      const auto row = field.values.begin() + static_cast<std::ptrdiff_t>(c * field.components);
+      std::copy_n(row, field.components,
+                  field.values.begin() + static_cast<std::ptrdiff_t>(kept++ * field.components));
+    }
+    field.values.resize(kept * field.components);
+  }
+  return fields;
+}
+
 // ---- the plane ----
 
-void read_plane_points(const VtuGrid& grid, CellSoup& soup) {
+void read_triangle_points(const VtuGrid& grid, CellSoup& soup) {
   const std::vector<Point3> points = grid.read_points();
   soup.points.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -62,9 +81,10 @@ void read_plane_points(const VtuGrid& grid, CellSoup& soup) {
     soup.points.push_back({points[i].x, points[i].y});
   }
   soup.vertex_markers = grid.read_vertex_markers();
+  soup.point_fields = grid.read_point_fields(soup.warnings);
 }
 
-void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
+void read_triangle_cells(const VtuGrid& grid, CellSoup& soup) {
   const VtuCells cells = grid.read_cells();
   const std::vector<Marker> markers = grid.read_cell_markers();
   const std::vector<double> regions = grid.read_regions();
@@ -87,10 +107,11 @@ void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
     const bool is_cell = type == vtk_triangle || type == vtk_quadrilateral;
     if (is_cell && !regions.empty()) soup.cell_regions.push_back(regions[c]);
   }
+  soup.cell_fields = rows_of_cells(grid, cells, {vtk_triangle, vtk_quadrilateral}, soup.warnings);
 }
 
 /// returns whether the file says what the boundary is, as those that write_vtu wrote do
-bool read_plane_boundary(const VtuGrid& grid, CellSoup& soup) {
+bool read_triangle_boundary(const VtuGrid& grid, CellSoup& soup) {
   const auto read = [&](const char* name, std::vector<MarkedEdge>& edges) {
     const XmlElement* array = VtuGrid::find_array(grid.field_data(), name);
     if (array == nullptr) return false;
@@ -107,7 +128,7 @@ bool read_plane_boundary(const VtuGrid& grid, CellSoup& soup) {
 
 // ---- space ----
 
-void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
+void read_tet_cells(const VtuGrid& grid, TetSoup& soup) {
   const VtuCells cells = grid.read_cells();
   const std::vector<Marker> markers = grid.read_cell_markers();
   const std::vector<double> regions = grid.read_regions();
@@ -131,10 +152,11 @@ void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
                 "only tetrahedra (10), and triangles (5) on the boundary or inside, can be read");
     }
   }
+  soup.cell_fields = rows_of_cells(grid, cells, {vtk_tetrahedron}, soup.warnings);
 }
 
 /// returns whether the file says what the boundary is, as those that write_vtu wrote do
-bool read_space_boundary(const VtuGrid& grid, TetSoup& soup) {
+bool read_tet_boundary(const VtuGrid& grid, TetSoup& soup) {
   const XmlElement* boundary = VtuGrid::find_array(grid.field_data(), vtu_names::boundary);
   soup.marker_names = grid.read_marker_names();
   if (boundary == nullptr) return false;
@@ -155,9 +177,9 @@ MeshFile parse_vtu(std::string_view bytes, const std::string& source) {
   const VtuGrid grid(root, source);
   CellSoup soup;
   soup.source = source;
-  read_plane_points(grid, soup);
-  read_plane_cells(grid, soup);
-  const bool knows_boundary = read_plane_boundary(grid, soup);
+  read_triangle_points(grid, soup);
+  read_triangle_cells(grid, soup);
+  const bool knows_boundary = read_triangle_boundary(grid, soup);
   const EdgeRule rule = knows_boundary ? EdgeRule::edges_are_the_boundary : EdgeRule::fill_in_the_boundary;
   return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
 }
@@ -169,8 +191,9 @@ TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source) {
   soup.source = source;
   soup.points = PerId<VertexId, Point3>(grid.read_points());
   soup.vertex_markers = grid.read_vertex_markers();
-  read_space_cells(grid, soup);
-  const bool knows_boundary = read_space_boundary(grid, soup);
+  soup.point_fields = grid.read_point_fields(soup.warnings);
+  read_tet_cells(grid, soup);
+  const bool knows_boundary = read_tet_boundary(grid, soup);
   const FaceRule rule = knows_boundary ? FaceRule::boundary_and_interfaces : FaceRule::fill_in_the_boundary;
   return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <bit>
 #include <cstdint>
-#include <set>
 #include <type_traits>
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
+#include "leonhard/mesh/io/formats/field_checks.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
 #include "leonhard/mesh/io/formats/vtu_names.hpp"
 #include "leonhard/mesh/io/formats/xml.hpp"
@@ -34,9 +34,10 @@ class VtuText {
   /// rows of `components` numbers; tuples = true adds their number, which field data needs.
   template <class T>
   void array(const std::string& name, std::size_t components, const std::vector<T>& values,
-             bool tuples = false) {
+             bool tuples = false, const std::string& more_attributes = "") {
     xml_ += "<DataArray type=\"" + std::string(vtk_type<T>()) + "\" Name=\"" + xml_escaped(name) +
             "\" NumberOfComponents=\"" + std::to_string(components) + "\"";
+    xml_ += more_attributes;
     if (tuples) xml_ += " NumberOfTuples=\"" + std::to_string(values.size() / components) + "\"";
     xml_ += " format=\"appended\" offset=\"" + std::to_string(appended_.size()) + "\"/>\n";
     append_vtk_bytes(appended_, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
@@ -50,21 +51,6 @@ class VtuText {
  private:
   std::string xml_, appended_;
 };
-
-void check_fields(std::size_t vertex_count, const std::vector<PointField>& fields) {
-  std::set<std::string> names{vtu_names::vertex_marker};
-  for (const PointField& field : fields) {
-    const std::string where = "field \"" + field.name + "\"";
-    if (field.name.empty()) throw InputError("", "a point field has no name", "name each field");
-    if (!names.insert(field.name).second)
-      throw InputError(where, "another point field has this name",
-                       "give each field a name of its own, not \"marker\"");
-    if (field.components == 0 || field.values.size() != field.components * vertex_count)
-      throw InputError(where, std::to_string(field.values.size()) + " values in rows of " +
-                                  std::to_string(field.components) + " do not fit " +
-                                  std::to_string(vertex_count) + " vertices");
-  }
-}
 
 /// Two-component rows as three-component ones.
 std::vector<double> with_third_component(const std::vector<double>& pairs) {
@@ -122,18 +108,17 @@ void write_field_data(VtuText& text, const Mesh& mesh) {
   text.line("</FieldData>");
 }
 
-template <class Mesh>
-void write_point_data(VtuText& text, const Mesh& mesh, const std::vector<PointField>& fields) {
-  text.line("<PointData>");
-  for (const PointField& field : fields) {
+/// The fields of vertices or of cells.
+template <class Field>
+void write_fields(VtuText& text, const std::vector<Field>& fields) {
+  for (const Field& field : fields) {
     if (field.components == 2) {
-      text.array(field.name, 3, with_third_component(field.values));
+      text.array(field.name, 3, with_third_component(field.values), false,
+                 " " + std::string(vtu_names::components) + "=\"2\"");
     } else {
       text.array(field.name, field.components, field.values);
     }
   }
-  if (!mesh.vertex_markers.empty()) text.array(vtu_names::vertex_marker, 1, mesh.vertex_markers.flat());
-  text.line("</PointData>");
 }
 
 Point3 in_space(Point2 p) { return {p.x, p.y, 0}; }
@@ -141,10 +126,6 @@ const Point3& in_space(const Point3& p) { return p; }
 
 template <class Mesh>
 void write_grid(VtuText& text, const Mesh& mesh, std::uint8_t cell_type) {
-  text.line("<CellData>");
-  if (!mesh.regions.empty()) text.array(vtu_names::region, 1, mesh.regions.flat());
-  text.line("</CellData>");
-
   text.line("<Points>");
   std::vector<double> coordinates;
   coordinates.reserve(3 * mesh.vertex_count());
@@ -170,8 +151,10 @@ void write_grid(VtuText& text, const Mesh& mesh, std::uint8_t cell_type) {
 }
 
 template <class Mesh>
-std::string format(const Mesh& mesh, const std::vector<PointField>& fields, std::uint8_t cell_type) {
-  check_fields(mesh.vertex_count(), fields);
+std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields,
+                   const std::vector<CellField>& cell_fields, std::uint8_t cell_type) {
+  check_fields(point_fields, mesh.vertex_count(), {vtu_names::vertex_marker});
+  check_fields(cell_fields, mesh.corners.size(), {vtu_names::region});
   VtuText text;
   const std::string compressor(vtk_compressor());
   text.line("<?xml version=\"1.0\"?>");
@@ -183,7 +166,14 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& fields, std:
   write_field_data(text, mesh);
   text.line("<Piece NumberOfPoints=\"" + std::to_string(mesh.vertex_count()) + "\" NumberOfCells=\"" +
             std::to_string(mesh.corners.size()) + "\">");
-  write_point_data(text, mesh, fields);
+  text.line("<PointData>");
+  write_fields(text, point_fields);
+  if (!mesh.vertex_markers.empty()) text.array(vtu_names::vertex_marker, 1, mesh.vertex_markers.flat());
+  text.line("</PointData>");
+  text.line("<CellData>");
+  write_fields(text, cell_fields);
+  if (!mesh.regions.empty()) text.array(vtu_names::region, 1, mesh.regions.flat());
+  text.line("</CellData>");
   write_grid(text, mesh, cell_type);
   text.line("</Piece>");
   text.line("</UnstructuredGrid>");
@@ -192,22 +182,24 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& fields, std:
 
 }  // namespace
 
-std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& fields) {
+std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& point_fields,
+                       const std::vector<CellField>& cell_fields) {
   mesh::require_ids_in_range(mesh);
-  return format(mesh, fields, triangle_type);
+  return format(mesh, point_fields, cell_fields, triangle_type);
 }
-std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& fields) {
+std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& point_fields,
+                       const std::vector<CellField>& cell_fields) {
   mesh::require_ids_in_range(mesh);
-  return format(mesh, fields, tetrahedron_type);
+  return format(mesh, point_fields, cell_fields, tetrahedron_type);
 }
 
 void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
-               const std::vector<PointField>& fields) {
-  write_file_atomically(path, format_vtu(mesh, fields));
+               const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
+  write_file_atomically(path, format_vtu(mesh, point_fields, cell_fields));
 }
 void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
-               const std::vector<PointField>& fields) {
-  write_file_atomically(path, format_vtu(mesh, fields));
+               const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
+  write_file_atomically(path, format_vtu(mesh, point_fields, cell_fields));
 }
 
 }  // namespace leonhard::io

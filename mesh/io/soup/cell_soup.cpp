@@ -176,6 +176,17 @@ SplitCells split_cells(const CellSoup& soup, std::vector<std::string>& warnings)
   return result;
 }
 
+/// Both halves of a quadrilateral get its values.
+void give_halves_their_rows(const std::vector<Cell>& cells, CellField& field) {
+  std::vector<double> values;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto row = field.values.begin() + static_cast<std::ptrdiff_t>(c * field.components);
+    for (std::uint32_t i = 2; i < cells[c].corner_count; ++i)
+      values.insert(values.end(), row, row + static_cast<std::ptrdiff_t>(field.components));
+  }
+  field.values = std::move(values);
+}
+
 bool same_ends_less(const MarkedEdge& a, const MarkedEdge& b) {
   return std::minmax(a.from, a.to) < std::minmax(b.from, b.to);
 }
@@ -245,11 +256,17 @@ MeshFile assemble(CellSoup soup, EdgeRule rule) {
   check_finite(soup);
   check_ids(soup);
   MeshFile result;
+  result.warnings = std::move(soup.warnings);
   orient_cells(soup, result.warnings);
   try {
     SplitCells cells = split_cells(soup, result.warnings);
     if (cells.corners.size() != soup.cells.size())
       soup.note += "triangles are numbered after quadrilaterals were split";
+    result.point_fields = std::move(soup.point_fields);
+    result.cell_fields = std::move(soup.cell_fields);
+    if (cells.corners.size() != soup.cells.size()) {
+      for (CellField& field : result.cell_fields) give_halves_their_rows(soup.cells, field);
+    }
     if (rule == EdgeRule::fill_in_the_boundary) fill_in_boundary(soup, cells.corners, result.warnings);
     result.mesh = checked_mesh(soup, std::move(cells));
   } catch (const InputError& error) {

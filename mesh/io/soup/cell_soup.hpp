@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/file_contents.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::io {
@@ -28,8 +28,11 @@ struct CellSoup {
   std::vector<double> cell_regions;     ///< one a cell, or empty
   std::vector<Marker> vertex_markers;   ///< one a vertex, or empty
   std::map<Marker, std::string> marker_names;
-  std::string source;  ///< names the file in errors
-  std::string note;    ///< added to errors, e.g. that ids in them are numbered from 0
+  std::vector<PointField> point_fields;  ///< one row a vertex
+  std::vector<CellField> cell_fields;    ///< one row a cell
+  std::vector<std::string> warnings;     ///< what the result's begin with
+  std::string source;                    ///< names the file in errors
+  std::string note;                      ///< added to errors, e.g. that ids in them are numbered from 0
 };
 
 enum class EdgeRule {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "leonhard/mesh/io/surface_file.hpp"
+#include "leonhard/mesh/io/surface_contents.hpp"
 
 namespace leonhard::io {
 

@@ -8,8 +8,8 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates3.hpp"
-#include "leonhard/mesh/structures/sorted_face.hpp"
-#include "leonhard/mesh/tet_topology.hpp"
+#include "leonhard/mesh/structures/sorted_facet.hpp"
+#include "leonhard/mesh/topology.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "leonhard/mesh/words.hpp"
 
@@ -120,7 +120,7 @@ void refuse_faces_given_twice(const TetSoup& soup) {
   std::vector<std::pair<std::array<VertexId, 3>, std::size_t>> sorted;
   sorted.reserve(soup.faces.size());
   for (std::size_t i = 0; i < soup.faces.size(); ++i)
-    sorted.emplace_back(mesh::sorted_face(soup.faces[i].corners).corners, i);
+    sorted.emplace_back(mesh::sorted_facet(soup.faces[i].corners).corners, i);
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end(),
                                         [](const auto& a, const auto& b) { return a.first == b.first; });
@@ -174,8 +174,8 @@ TetMesh checked_mesh(TetSoup& soup, FaceRule rule, std::vector<std::string>& war
   std::vector<MarkedFace> faces;
   faces.reserve(soup.faces.size());
   for (const TetFace& face : soup.faces) faces.push_back({face.corners, face.marker});
-  mesh::MarkedFaceRules rules;
-  rules.take_interfaces = rule != FaceRule::faces_are_the_boundary;
+  mesh::MarkedFacetRules rules;
+  rules.take_inner_facets = rule != FaceRule::faces_are_the_boundary;
   const Marker otherwise = unused_marker(soup);
   if (rule == FaceRule::fill_in_the_boundary) rules.unlisted_boundary = otherwise;
 
@@ -200,11 +200,14 @@ TetMeshFile assemble(TetSoup soup, FaceRule rule) {
     check_ids(soup);
     if (rule != FaceRule::boundary_and_interfaces) refuse_faces_given_twice(soup);
     TetMeshFile result;
+    result.warnings = std::move(soup.warnings);
     orient_cells(soup, result.warnings);
     result.mesh = checked_mesh(soup, rule, result.warnings);
     if (const auto overlap = mesh::validate_embedding(result.mesh))
       throw InputError(soup.source, "the mesh is tangled: " + *overlap,
                        "correct the coordinates or the tetrahedra there");
+    result.point_fields = std::move(soup.point_fields);
+    result.cell_fields = std::move(soup.cell_fields);
     return result;
   } catch (const InputError& error) {
     if (soup.note.empty()) throw;

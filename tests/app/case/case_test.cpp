@@ -55,8 +55,8 @@ TEST_CASE("the_shortest_case_gets_the_documented_defaults") {
   CHECK(c.bodies[0].leading_edge_spacing == 0.01 / 3);
   CHECK(c.bodies[0].trailing_edge_spacing == 0.01 / 3);
   CHECK(c.farfield.spacing == 50 * 0.08);
-  CHECK(c.boundary.at("body1").kind == Condition::slip_wall);
-  CHECK(c.boundary.at("farfield").kind == Condition::far_field);
+  CHECK(c.boundary.at("body1").kind == BoundaryKind::slip_wall);
+  CHECK(c.boundary.at("farfield").kind == BoundaryKind::far_field);
   CHECK(c.solver.max_iterations == 500);
   CHECK(c.output.folder == "runs/x");
   CHECK(c.text == minimal);
@@ -128,11 +128,11 @@ close_up = [0, 1, 2, 3]
   CHECK_FALSE(c.farfield.vortex_correction);
   CHECK(c.mesher.size == 1.5);
   CHECK(c.mesher.max_vertices == 5000);
-  CHECK(c.boundary.at("farfield").kind == Condition::supersonic_inflow);
-  CHECK(c.boundary.at("main").kind == Condition::slip_wall);
+  CHECK(c.boundary.at("farfield").kind == BoundaryKind::supersonic_inflow);
+  CHECK(c.boundary.at("main").kind == BoundaryKind::slip_wall);
   CHECK(c.reference.moment_centre == leonhard::Point2{0.5, 0.1});
   CHECK(c.solver.order == 1);
-  CHECK(c.solver.limiter == LimiterChoice::barth_jespersen);
+  CHECK(c.solver.limiter == LimiterKind::barth_jespersen);
   CHECK(c.solver.cfl_max == 30.0);
   CHECK(c.ordering == OrderChoice::none);
   CHECK(c.partitioning == leonhard::graph::PartitionMethod::coordinate);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "leonhard/mesh/tet_mesh.hpp"
-#include "leonhard/mesh/tet_topology.hpp"
+#include "leonhard/mesh/topology.hpp"
 
 /// Tetrahedral meshes for tests of pictures: grids of cubes, six tetrahedra each (H. W. Kuhn's subdivision), of which a
 /// part is kept.

@@ -4,8 +4,11 @@
 #include <doctest/doctest.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -104,7 +107,10 @@ TEST_CASE("replacing_a_file_keeps_its_permissions_and_follows_links") {
 }
 
 TEST_CASE("writing_to_a_full_device_is_an_output_error") {
-  if (!fs::exists("/dev/full")) return;
+  if (!fs::exists("/dev/full")) {
+    MESSAGE("skipped: there is no /dev/full here");
+    return;
+  }
   CHECK(failure("/dev/full", "some bytes") == "cannot write /dev/full: No space left on device");
   CHECK(failure("/dev/full", std::string(3'000'000, 'x')).find("No space left") != std::string::npos);
   CHECK(fs::is_character_file("/dev/full"));
@@ -119,20 +125,48 @@ TEST_CASE("targets_that_cannot_be_written_are_output_errors_that_name_them") {
   CHECK(failure(folder / "file/a.txt", "x").find("Not a directory") != std::string::npos);
   if (fs::exists("/proc/self"))
     CHECK(failure("/proc/leonhard.txt", "x").find("/proc/leonhard.txt: ") != std::string::npos);
-  if (::geteuid() != 0) {  // root may write anywhere
-    const fs::path closed = folder / "closed";
-    fs::create_directory(closed);
-    fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
+  else
+    MESSAGE("skipped: there is no /proc here");
+}
+
+TEST_CASE("a_folder_without_the_right_to_write_is_an_output_error") {
+  const Folder folder;
+  const fs::path closed = folder / "closed";
+  fs::create_directory(closed);
+  fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
+  // Root may write anywhere, so as root the file is written by a child that has become nobody.
+  if (::geteuid() != 0) {
     CHECK(failure(closed / "a.txt", "x").find("Permission denied") != std::string::npos);
-    fs::permissions(closed, fs::perms::owner_all);
+  } else {
+    fs::permissions(folder.path(), fs::perms::all);
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+      constexpr uid_t nobody = 65534;
+      if (::setgid(nobody) != 0 || ::setuid(nobody) != 0) ::_exit(3);
+      try {
+        io::write_file_atomically(closed / "a.txt", "x");
+      } catch (const OutputError& error) {
+        ::_exit(std::string(error.what()).find("Permission denied") != std::string::npos ? 0 : 1);
+      }
+      ::_exit(2);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
   }
+  fs::permissions(closed, fs::perms::owner_all);
 }
 
 TEST_CASE("full_disc_is_an_output_error_and_leaves_the_old_file_alone") {
   const Folder folder;
   const fs::path disc = folder / "disc";
   fs::create_directory(disc);
-  if (::mount("none", disc.c_str(), "tmpfs", 0, "size=64k") != 0) return;  // needs the right to mount
+  if (::mount("none", disc.c_str(), "tmpfs", 0, "size=64k") != 0) {
+    MESSAGE("skipped: mounting a small disc needs rights that are not there: " << std::strerror(errno));
+    return;
+  }
   io::write_file_atomically(disc / "a.txt", "old");
   CHECK(failure(disc / "a.txt", std::string(200'000, 'x')).find("No space left on device") !=
         std::string::npos);

@@ -2,6 +2,7 @@
 #include "leonhard/mesh/io/formats/gmsh.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "tests/mesh/io/sample_tet_meshes.hpp"
@@ -128,13 +129,77 @@ TEST_CASE("gmsh_files_of_both_versions_give_the_same_mesh") {
 TEST_CASE("gmsh_file_without_physical_groups_takes_the_numbers_of_the_geometry") {
   const std::string text =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
-      "$Elements\n2\n1 2 2 0 31 1 3 2\n2 4 2 0 32 1 2 3 4\n$EndElements\n$NodeData\n1\n\"t\"\n$EndNodeData\n";
+      "$Elements\n2\n1 2 2 0 31 1 3 2\n2 4 2 0 32 1 2 3 4\n$EndElements\n"
+      "$ElementNodeData\n1\n\"t\"\n$EndElementNodeData\n";
   const TetMeshFile file = parse(text);
   CHECK(file.mesh.boundary[0].marker == 31);
   CHECK(file.mesh.regions.flat() == std::vector<double>{32});
   REQUIRE(file.warnings.size() == 3);
-  CHECK(file.warnings[0].find("$NodeData was passed over") != std::string::npos);
+  CHECK(file.warnings[0].find("$ElementNodeData was passed over") != std::string::npos);
   CHECK(file.warnings[1].find("no physical groups") != std::string::npos);
+}
+
+TEST_CASE("gmsh_fields_of_vertices_and_cells_come_back_to_the_last_bit") {
+  std::uint64_t bits = 1;
+  const auto fill = [&](std::size_t count) {
+    std::vector<double> values{INFINITY};
+    while (values.size() < count) {
+      bits = bits * 6364136223846793005U + 1442695040888963407U;
+      if (const auto value = std::bit_cast<double>(bits); std::isfinite(value)) values.push_back(value);
+    }
+    return values;
+  };
+  const auto check = [&](const auto& mesh, const auto& parse_it, std::size_t cell_count) {
+    std::vector<PointField> points;
+    std::vector<CellField> cells;
+    for (const std::size_t components : {1, 3, 9}) {
+      const std::string name = "of " + std::to_string(components) + " <&>";
+      points.push_back({name, components, fill(components * mesh.vertex_count())});
+      cells.push_back({name, components, fill(components * cell_count)});
+    }
+    for (const io::GmshForm& form : {old_text, old_binary, new_text, new_binary}) {
+      const auto back = parse_it(io::format_gmsh(mesh, form, points, cells));
+      CHECK(back.warnings.empty());
+      CHECK(back.point_fields == points);
+      CHECK(back.cell_fields == cells);
+    }
+  };
+  const TetMesh box = box_with_everything();
+  check(box, parse, box.tet_count());
+  TriangleMesh grid = grid_with_everything();
+  for (double& region : grid.regions) region = region > 0 ? 4 : 0;
+  check(
+      grid, [](const std::string& bytes) { return io::parse_gmsh(bytes, "m.msh"); }, grid.triangle_count());
+}
+
+TEST_CASE("gmsh_two_components_become_three_and_other_numbers_are_refused") {
+  const TetMesh mesh = two_tets();
+  const TetMeshFile back = parse(io::format_gmsh(mesh, {}, {}, {{"v", 2, {1, 2, 3, 4}}}));
+  REQUIRE(back.cell_fields.size() == 1);
+  CHECK(back.cell_fields[0] == CellField{"v", 3, {1, 2, 0, 3, 4, 0}});
+  const auto write = [&](const CellField& field) {
+    return refusal([&] { (void)io::format_gmsh(mesh, {}, {}, {field}); });
+  };
+  CHECK(write({"v", 4, std::vector<double>(8)}).find("4 components") != std::string::npos);
+  CHECK(write({"a \"v\"", 1, std::vector<double>(2)}).find("quotation mark") != std::string::npos);
+  CHECK(write({"v", 1, std::vector<double>(3)}).find("do not fit 2 cells") != std::string::npos);
+}
+
+TEST_CASE("gmsh_data_follow_the_tags_and_those_that_do_not_cover_the_mesh_are_left_out") {
+  const std::string head = "\n1\n0.5\n4\n0\n1\n";  // after the name: a time; a step, components
+  const TetMeshFile file =
+      parse(old_file + "$NodeData\n2\n\"t\"\n\"scheme\"" + head +
+            "6\n0\n15 5\n40 4\n30 3\n20 2\n10 1\n99 nan\n" + "$EndNodeData\n$ElementData\n1\n\"e\"" + head +
+            "3\n0\n4 -4\n6 6\n5 5\n$EndElementData\n" + "$ElementData\n1\n\"half\"" + head +
+            "1\n0\n5 5\n$EndElementData\n" + "$NodeData\n1\n\"t\"" + head + "1\n0\n10 1\n$EndNodeData\n");
+  REQUIRE(file.point_fields.size() == 1);
+  CHECK(file.point_fields[0] == PointField{"t", 1, {1, 2, 3, 4, 5}});
+  REQUIRE(file.cell_fields.size() == 1);
+  CHECK(file.cell_fields[0] == CellField{"e", 1, {5, 6}});
+  std::string told;
+  for (const std::string& warning : file.warnings) told += warning + "\n";
+  CHECK(told.find("elements \"half\" were left out: not every cell has one") != std::string::npos);
+  CHECK(told.find("nodes \"t\" were left out: others have this name") != std::string::npos);
 }
 
 TEST_CASE("gmsh_binary_file_of_the_other_byte_order_is_read") {
@@ -176,7 +241,16 @@ TEST_CASE("gmsh_bad_text_is_refused_with_its_line") {
         old_file.substr(0, old_file.find("$EndElements")),
         {"m.msh", "ends inside the section $Elements"}},
        {"twice", old_file + "$Nodes\n0\n$EndNodes\n", {"m.msh", "second time"}},
-       {"data cut short", old_file + "$NodeData\n1\n\"t\"\n", {"m.msh:30", "$EndNodeData", "cut short"}},
+       {"data cut short", old_file + "$NodeData\n1\n\"t\"\n", {"m.msh:30", "real tags", "cut short"}},
+       {"data of no components",
+        old_file + "$NodeData\n1\n\"t\"\n1\n0\n3\n0\n0\n1\n10 1\n$EndNodeData\n",
+        {"components from 1"}},
+       {"data of a node that is not there",
+        old_file + "$NodeData\n1\n\"t\"\n1\n0\n3\n0\n1\n1\n11 1\n$EndNodeData\n",
+        {"node 11"}},
+       {"more rows of data than said",
+        old_file + "$NodeData\n1\n\"t\"\n1\n0\n3\n0\n1\n1\n10 1\n20 1\n$EndNodeData\n",
+        {"$EndNodeData"}},
        {"partitioned", old_file + "$PartitionedEntities\n", {"m.msh", "partitioned"}},
        {"no section", old_file + "hello\n", {"m.msh:28", "hello"}},
        {"blocks", replaced(new_file, "$Nodes\n3 6", "$Nodes\n3 5"), {"m.msh", "more nodes than"}},

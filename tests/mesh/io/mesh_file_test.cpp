@@ -9,6 +9,7 @@
 #include "leonhard/mesh/io/airfoil_dat.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/did_you_mean.hpp"
+#include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/pslg_file.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "tests/mesh/io/folder.hpp"
@@ -33,6 +34,34 @@ TEST_CASE("every_mesh_format_is_chosen_by_extension_and_round_trips_through_file
   }
   io::write_mesh(folder.path / "CAPITALS.SU2", mesh);
   check_same_mesh(mesh, io::read_mesh(folder.path / "CAPITALS.SU2").mesh);
+}
+
+TEST_CASE("fields_go_into_the_formats_that_carry_them_and_no_others") {
+  const Folder folder;
+  const TriangleMesh mesh = grid_with_hole();
+  const std::vector<PointField> points{{"t", 1, std::vector<double>(mesh.vertex_count(), 0.1)}};
+  const std::vector<CellField> cells{{"v", 3, std::vector<double>(3 * mesh.triangle_count(), 0.2)}};
+  std::size_t carrying = 0;
+  for (const std::string& extension : io::mesh_extensions()) {
+    CAPTURE(extension);
+    const fs::path file = folder.path / ("fields" + extension);
+    if (!io::carries_fields(file)) {
+      CHECK(refusal([&] { io::write_mesh(file, mesh, points); }).find("carry no fields") !=
+            std::string::npos);
+      CHECK(refusal([&] { io::write_mesh(file, mesh, {}, cells); }).find("carry no fields") !=
+            std::string::npos);
+      CHECK(!fs::exists(file));
+      continue;
+    }
+    ++carrying;
+    io::write_mesh(file, mesh, points, cells);
+    const MeshFile back = io::read_mesh(file);
+    check_same_mesh(mesh, back.mesh);
+    CHECK(back.point_fields == points);
+    CHECK(back.cell_fields == cells);
+  }
+  CHECK(carrying == 2);
+  CHECK(io::carries_fields("A.VTU"));
 }
 
 TEST_CASE("pslg_with_points_in_a_node_file_is_read_from_files") {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "leonhard/mesh/structures/sorted_face.hpp"
+#include "leonhard/mesh/structures/sorted_facet.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
 #include "tests/mesh/tet_shelf.hpp"
@@ -24,7 +24,7 @@ inline TetMesh box_with_everything() {
     for (std::size_t side = 0; side < 4; ++side)
       if (const auto n = mesh.neighbours[t][side]; n && (*n).raw > t.raw && t.raw % 5 == 0)
         mesh.interfaces.push_back(
-            {mesh::outward_face(mesh.corners[t], side), static_cast<Marker>(11 + side)});
+            {mesh::outward_facet(mesh.corners[t], side), static_cast<Marker>(11 + side)});
   for (const TetId t : mesh.corners.ids()) mesh.regions[t] = static_cast<double>(t.index() / 4 % 3);
   for (const VertexId v : mesh.points.ids()) mesh.vertex_markers[v] = static_cast<Marker>(v.index()) - 4;
   mesh.marker_names = {{3, "wall"}, {7, "far field"}, {12, "membrane"}, {99, "nowhere"}};

@@ -143,10 +143,10 @@ TEST_CASE("unlisted_boundary_faces_get_the_marker_of_their_vertices_or_the_first
   CHECK_FALSE(mesh::validate(file.mesh));
   for (const MarkedFace& face : file.mesh.boundary) {
     const bool is_listed = std::any_of(soup.faces.begin(), soup.faces.end(), [&](const io::TetFace& f) {
-      return mesh::sorted_face(f.corners).corners == mesh::sorted_face(face.corners).corners;
+      return mesh::sorted_facet(f.corners).corners == mesh::sorted_facet(face.corners).corners;
     });
     const bool is_bottom =
-        mesh::sorted_face(face.corners).corners == std::array{VertexId{0}, VertexId{1}, VertexId{2}};
+        mesh::sorted_facet(face.corners).corners == std::array{VertexId{0}, VertexId{1}, VertexId{2}};
     CHECK(face.marker == (is_listed ? 1 : is_bottom ? 5 : 3));
   }
 }

@@ -31,9 +31,13 @@ TEST_CASE("vtu_of_space_keeps_everything") {
   mesh.interfaces.push_back({mesh.interfaces.front().corners, 0});
   std::swap(mesh.interfaces.back().corners[0], mesh.interfaces.back().corners[1]);
   const std::vector<PointField> fields{{"mach", 1, std::vector<double>(mesh.vertex_count(), 0.5)}};
-  const TetMeshFile back = parse(io::format_vtu(mesh, fields));
+  const std::vector<CellField> cell_fields{{"stress", 9, std::vector<double>(9 * mesh.tet_count(), 0.1)},
+                                           {"drift", 2, std::vector<double>(2 * mesh.tet_count(), -0.0)}};
+  const TetMeshFile back = parse(io::format_vtu(mesh, fields, cell_fields));
   CHECK(back.warnings.empty());
   CHECK(back.mesh == mesh);
+  CHECK(back.point_fields == fields);
+  CHECK(back.cell_fields == cell_fields);
 }
 
 TEST_CASE("triangles_of_a_vtu_of_space_mark_faces_and_the_others_get_a_number_of_their_own") {

@@ -108,10 +108,80 @@ TEST_CASE("vtu_round_trip_keeps_everything_with_fields_beside_it") {
   const TriangleMesh mesh = grid_with_everything();
   const std::vector<double> twos(2 * mesh.vertex_count(), 0.5), ones(mesh.vertex_count(), NAN);
   const MeshFile back = parse(io::format_vtu(mesh, {{"velocity <m/s>", 2, twos}, {"p", 1, ones}}));
+  REQUIRE(back.point_fields.size() == 2);
+  CHECK(back.point_fields[0] == PointField{"velocity <m/s>", 2, twos});
+  CHECK(back.point_fields[1].name == "p");
+  CHECK(std::isnan(back.point_fields[1].values.back()));
+  CHECK(back.cell_fields.empty());
   check_same_mesh(mesh, back.mesh);
   CHECK(back.mesh.boundary == mesh.boundary);
   CHECK(back.warnings.empty());
   check_same_mesh(grid_with_hole(), parse(io::format_vtu(grid_with_hole())).mesh);
+}
+
+TEST_CASE("vtu_fields_of_vertices_and_cells_come_back_to_the_last_bit") {
+  const TriangleMesh mesh = grid_with_everything();
+  std::vector<PointField> points;
+  std::vector<CellField> cells;
+  std::uint64_t bits = 1;
+  const auto fill = [&](std::size_t count) {
+    std::vector<double> values;
+    while (values.size() < count) {
+      bits = bits * 6364136223846793005U + 1442695040888963407U;
+      values.push_back(std::bit_cast<double>(bits));  // subnormal, huge, NaN: all of them
+    }
+    return values;
+  };
+  for (const std::size_t components : {1, 2, 3, 9, 4}) {
+    const std::string name = "of " + std::to_string(components) + " <&>";
+    points.push_back({name, components, fill(components * mesh.vertex_count())});
+    cells.push_back({name, components, fill(components * mesh.triangle_count())});
+  }
+  points.push_back({"region", 1, fill(mesh.vertex_count())});  // kept for cells only
+  cells.push_back({"marker", 1, fill(mesh.triangle_count())});
+  const MeshFile back = parse(io::format_vtu(mesh, points, cells));
+  check_same_mesh(mesh, back.mesh);
+  CHECK(back.warnings.empty());
+  const auto check_same = [](const auto& fields, const auto& expected) {
+    REQUIRE(fields.size() == expected.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      CHECK(fields[i].name == expected[i].name);
+      CHECK(fields[i].components == expected[i].components);
+      REQUIRE(fields[i].values.size() == expected[i].values.size());
+      CHECK(std::memcmp(fields[i].values.data(), expected[i].values.data(), 8 * fields[i].values.size()) ==
+            0);
+    }
+  };
+  check_same(back.point_fields, points);
+  check_same(back.cell_fields, cells);
+}
+
+TEST_CASE("vtu_halves_of_a_quadrilateral_have_its_values_and_lines_have_none") {
+  std::string text = replaced(ascii, "0 1 2 0 2 3 0 1 3 2", "0 1 2 3 0 1 3 2");
+  text = replaced(text, "3 6 8 10", "4 6 8");
+  text = replaced(text, "5 5 3 3", "9 3 3");
+  text = replaced(text, "NumberOfCells=\"4\"", "NumberOfCells=\"3\"");
+  text = replaced(text, "0 0 4 9", "7 4 9");
+  text = replaced(text, "</CellData>",
+                  "<DataArray type=\"Float32\" Name=\"v\" NumberOfComponents=\"2\" format=\"ascii\">"
+                  "1 -inf 2 2 3 3</DataArray>"
+                  "<DataArray type=\"String\" Name=\"s\" format=\"ascii\">65 0</DataArray>"
+                  "<DataArray type=\"Int8\" Name=\"v\" format=\"ascii\">1 2 3</DataArray></CellData>");
+  const MeshFile file = parse(text);
+  REQUIRE(file.mesh.triangle_count() == 2);
+  REQUIRE(file.cell_fields.size() == 2);
+  CHECK(file.cell_fields[0] == CellField{"gmsh:physical", 1, {7, 7}});
+  CHECK(file.cell_fields[1] == CellField{"v", 2, {1, -INFINITY, 1, -INFINITY}});
+  REQUIRE(file.point_fields.size() == 1);
+  CHECK(file.point_fields[0].name == "T");
+  CHECK(std::isnan(file.point_fields[0].values[0]));
+  CHECK(file.point_fields[0].values[3] == 3);
+  const auto warns = [&](const char* words) {
+    return std::any_of(file.warnings.begin(), file.warnings.end(),
+                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
+  };
+  CHECK(warns("\"s\" was left out: it holds no numbers"));
+  CHECK(warns("\"v\" was left out: another one has this name"));
 }
 
 TEST_CASE("vtu_larger_than_one_compressed_block_is_kept") {
@@ -256,10 +326,16 @@ TEST_CASE("vtu_writer_refuses_fields_that_do_not_fit") {
   };
   CHECK(write({{"mach", 1, {1.0, 2.0}}}).find("field \"mach\": 2 values") == 0);
   CHECK(write({{"v", 0, {}}}).find("field \"v\"") == 0);
-  CHECK(write({{"a", 1, values}, {"a", 1, values}}).find("another point field has this name") !=
+  CHECK(write({{"a", 1, values}, {"a", 1, values}}).find("another field of vertices has this name") !=
         std::string::npos);
   CHECK(write({{"marker", 1, values}}).find("marker") != std::string::npos);
   CHECK(write({{"", 1, values}}).find("no name") != std::string::npos);
+  const auto write_cells = [&](std::vector<CellField> fields) {
+    return refusal([&] { static_cast<void>(io::format_vtu(mesh, {}, fields)); });
+  };
+  CHECK(write_cells({{"part", 1, {1.0}}}).find("field \"part\": 1 values") == 0);
+  CHECK(write_cells({{"region", 1, std::vector<double>(mesh.triangle_count())}}).find("region") !=
+        std::string::npos);
 }
 
 TEST_CASE("xml_escapes_are_undone_by_the_parser") {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "leonhard/mesh/id.hpp"
+#include "leonhard/solver/gas.hpp"
+#include "leonhard/solver/kinds.hpp"
+
+namespace leonhard {
+
+/// How to march. The defaults are meant to work for every case from Mach 0.1 to 3.
+struct SteadyOptions {
+  Marching marching = Marching::implicit_ptc;
+  LimiterKind limiter = LimiterKind::venkatakrishnan;
+  double venkatakrishnan_k = 3.0;   ///< >= 0; larger limits less; the scale is (k h / reference length)^3, h^2 the control volume
+  int order = 2;                    ///< 1: states constant in a cell; 2: linear reconstruction
+  double entropy_fix = 0.05;        ///< Harten's delta as a fraction of |Vn| + c, in [0, 1]
+  std::optional<double> cfl_start{};  ///< none: chosen by the marching kind
+  std::optional<double> cfl_max{};
+  double residual_drop_orders = 8;  ///< converged once log10(|R0| / |R|) reaches this
+  double settle_tolerance = 1e-6;  ///< settled once cl, cd, cm move less than this over settle_window iterations ...
+  /// ... while the residual has stopped falling; none: 40 implicit, 1000 explicit; 0: never
+  std::optional<int> settle_window{};
+  int max_iterations = 0;  ///< 0: 500 implicit, 50,000 explicit
+  int threads = 1;         ///< >= 1; the result is the same to the bit for any value
+  /// The parts over which the residual and the Jacobian are threaded: one number a vertex, each below `parts` (a part
+  /// may be empty). Empty: parts of the solver's own making. The result is the same to the bit for any parts.
+  std::vector<std::uint32_t> part_of{};
+  std::uint32_t parts = 0;
+  /// Start from here in place of the free stream; one state a vertex, or empty.
+  PerId<VertexId, State> initial{};
+};
+
+}  // namespace leonhard

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "leonhard/solver/forces.hpp"
+#include "leonhard/solver/gas.hpp"
+
+namespace leonhard {
+
+/// One line of the history. Iteration 0 is the start.
+struct Iteration {
+  int number{};
+  double residual_drop_orders{};  ///< log10 of the first residual norm over this one (root mean square of the net fluxes out of the control volumes)
+  double cl{}, cd{}, cm{};
+  double cfl{};
+  int linear_iterations{};  ///< since the previous line
+  double seconds{};         ///< wall time since the start of solve_steady
+};
+
+enum class Verdict {
+  converged,  ///< the residual fell by residual_drop_orders
+  settled,    ///< the residual hangs, the coefficients stand still within settle_tolerance
+  stalled,    ///< the residual hangs, and the coefficients still move or the time step has shrunk to nothing
+  diverged,   ///< no step could be taken from an unphysical state; `bad_vertex` names the first one
+  iteration_limit,
+  stopped,  ///< the stop token asked
+};
+
+/// The word used in reports, e.g. "iteration_limit".
+[[nodiscard]] constexpr std::string_view to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::converged:
+      return "converged";
+    case Verdict::settled:
+      return "settled";
+    case Verdict::stalled:
+      return "stalled";
+    case Verdict::diverged:
+      return "diverged";
+    case Verdict::iteration_limit:
+      return "iteration_limit";
+    case Verdict::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+/// Where a run broke down.
+struct BadVertex {
+  VertexId vertex;
+  Point2 at;
+  State state;
+  std::optional<Marker> nearest_marker;  ///< of the boundary edge nearest to it
+};
+
+struct SteadyResult {
+  Verdict verdict{};
+  std::string words;  ///< the verdict in a sentence, with its figures
+  PerId<VertexId, State> state;
+  Forces forces;  ///< over all walls
+  std::map<Marker, Forces> forces_by_marker;
+  std::vector<SurfaceLine> surface;
+  std::vector<Iteration> history;       ///< one entry an iteration, the start included
+  std::optional<BadVertex> bad_vertex;  ///< only when diverged
+  int rejected_steps{};                 ///< steps rolled back and repeated with a smaller time step
+  std::string sweep;                    ///< which build of the inner loops ran: "avx2" or "baseline"
+};
+
+}  // namespace leonhard

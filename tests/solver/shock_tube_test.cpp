@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "leonhard/solver/residual.hpp"
+#include "tests/solver/meshes.hpp"
+
+// Sod's shock tube (Journal of Computational Physics 27, 1978) as a strip of the plane, marched in time by the residual.
+
+namespace {
+
+using namespace leonhard;
+using solver::Conserved;
+
+constexpr double gamma = 1.4;
+
+/// The exact solution of the Riemann problem between two gases at rest, by Newton's method on the pressure between the
+/// waves; E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, chapter 4.
+class RiemannSolution {
+ public:
+  RiemannSolution(const State& left, const State& right) : left_(left), right_(right) {
+    p_ = 0.5 * (left.p + right.p);
+    for (int i = 0; i < 50; ++i) {
+      const double step = 1e-7 * p_;
+      const double value = excess(p_), slope = (excess(p_ + step) - value) / step;
+      p_ = std::max(1e-8, p_ - value / slope);
+    }
+    u_ = 0.5 * (wave(right_, p_) - wave(left_, p_));
+  }
+
+  /// The state at x / t.
+  [[nodiscard]] State at(double speed) const { return speed < u_ ? left_of(speed) : mirrored(speed); }
+  [[nodiscard]] double pressure() const { return p_; }
+  [[nodiscard]] double velocity() const { return u_; }
+
+ private:
+  static double sound(const State& w) { return std::sqrt(gamma * w.p / w.rho); }
+  /// The change of velocity across the wave from `w` to pressure p.
+  static double wave(const State& w, double p) {
+    if (p > w.p) return (p - w.p) * std::sqrt(2 / ((gamma + 1) * w.rho) / (p + (gamma - 1) / (gamma + 1) * w.p));
+    return 2 * sound(w) / (gamma - 1) * (std::pow(p / w.p, (gamma - 1) / (2 * gamma)) - 1);
+  }
+  [[nodiscard]] double excess(double p) const { return wave(left_, p) + wave(right_, p); }
+
+  /// The side whose wave runs to the left.
+  [[nodiscard]] State side(const State& w, double u, double speed) const {
+    const double c = sound(w);
+    if (p_ > w.p) {  // a shock
+      const double ratio = p_ / w.p, g = (gamma - 1) / (gamma + 1);
+      const double shock = -c * std::sqrt((gamma + 1) / (2 * gamma) * ratio + (gamma - 1) / (2 * gamma));
+      if (speed < shock) return w;
+      return {w.rho * (ratio + g) / (g * ratio + 1), u, 0, p_};
+    }
+    const double c_star = c * std::pow(p_ / w.p, (gamma - 1) / (2 * gamma));
+    if (speed < -c) return w;
+    if (speed > u - c_star) return {w.rho * std::pow(p_ / w.p, 1 / gamma), u, 0, p_};
+    const double c_fan = 2 / (gamma + 1) * (c - (gamma - 1) / 2 * speed), ratio = c_fan / c;
+    return {w.rho * std::pow(ratio, 2 / (gamma - 1)), 2 / (gamma + 1) * (c + speed), 0,
+            w.p * std::pow(ratio, 2 * gamma / (gamma - 1))};
+  }
+  [[nodiscard]] State left_of(double speed) const { return side(left_, u_, speed); }
+  [[nodiscard]] State mirrored(double speed) const {
+    State w = side(right_, -u_, -speed);
+    w.u = -w.u;
+    return w;
+  }
+
+  State left_, right_;
+  double p_{}, u_{};
+};
+
+const State driver{1, 0, 0, 1}, driven{0.125, 0, 0, 0.1};
+constexpr double end_time = 0.2;
+
+struct Tube {
+  TriangleMesh mesh;
+  PerId<VertexId, State> state;
+  Conserved before{}, after{};  ///< totals of mass, momentum and energy
+};
+
+Conserved totals(const solver::EdgePlan& plan, const PerId<VertexId, State>& state) {
+  Conserved sum{};
+  for (const VertexId v : state.ids()) {
+    const Conserved q = solver::conserved_of({gamma}, state[v]);
+    for (std::size_t i = 0; i < 4; ++i) sum[i] += plan.area[v.index()] * q[i];
+  }
+  return sum;
+}
+
+/// Marches to end_time by Heun's method at half the stable time step.
+Tube run_tube(std::size_t cells, int order) {
+  const double height = 2.0 / static_cast<double>(cells);
+  Tube tube{test::mapped_grid(cells, 2, false, [&](double s, double t) { return Point2{s, height * t}; }), {}, {}, {}};
+  EulerProblem problem{tube.mesh, {gamma}, {0.5, 0}, {}, {}, false, {}, {}};
+  for (const Marker side : {test::south, test::east, test::north, test::west})
+    problem.boundary[side] = BoundaryKind::slip_wall;
+  solver::SpatialOptions options;
+  options.order = order;
+  options.limiter = LimiterKind::barth_jespersen;
+  solver::EulerResidual residual(problem, options);
+  for (const Point2 p : tube.mesh.points) tube.state.push_back(p.x < 0.5 ? driver : driven);
+  tube.before = totals(residual.plan(), tube.state);
+  const double largest_speed = 2.2;  // of the waves of this tube
+  const int steps = static_cast<int>(std::ceil(end_time * largest_speed * 4 * static_cast<double>(cells)));
+  const double dt = end_time / steps;
+  std::vector<double> rate;
+  const auto euler_step = [&](const PerId<VertexId, State>& from, PerId<VertexId, State>& to) {
+    residual.evaluate(from, rate);
+    for (const VertexId v : from.ids()) {
+      Conserved q = solver::conserved_of({gamma}, from[v]);
+      for (std::size_t i = 0; i < 4; ++i) q[i] -= dt / residual.plan().area[v.index()] * rate[4 * v.index() + i];
+      to[v] = solver::state_of({gamma}, q);
+    }
+  };
+  PerId<VertexId, State> once = tube.state, twice = tube.state;
+  for (int step = 0; step < steps; ++step) {
+    euler_step(tube.state, once);
+    euler_step(once, twice);
+    for (const VertexId v : tube.state.ids()) {
+      Conserved q = solver::conserved_of({gamma}, tube.state[v]);
+      const Conserved other = solver::conserved_of({gamma}, twice[v]);
+      for (std::size_t i = 0; i < 4; ++i) q[i] = 0.5 * (q[i] + other[i]);
+      tube.state[v] = solver::state_of({gamma}, q);
+    }
+  }
+  tube.after = totals(residual.plan(), tube.state);
+  return tube;
+}
+
+double mean_density_error(const Tube& tube) {
+  const RiemannSolution exact(driver, driven);
+  double sum = 0;
+  for (const VertexId v : tube.state.ids())
+    sum += std::abs(tube.state[v].rho - exact.at((tube.mesh.points[v].x - 0.5) / end_time).rho);
+  return sum / static_cast<double>(tube.state.size());
+}
+
+TEST_CASE("the_exact_riemann_solution_has_the_published_pressure_and_velocity") {
+  const RiemannSolution exact(driver, driven);  // Toro, table 4.2, test 1
+  CHECK(exact.pressure() == doctest::Approx(0.30313).epsilon(1e-5));
+  CHECK(exact.velocity() == doctest::Approx(0.92745).epsilon(1e-5));
+  CHECK(exact.at(exact.velocity() - 1e-9).rho == doctest::Approx(0.42632).epsilon(1e-5));
+  CHECK(exact.at(exact.velocity() + 1e-9).rho == doctest::Approx(0.26557).epsilon(1e-5));
+}
+
+TEST_CASE("sods_shock_tube_as_a_strip_converges_to_the_exact_solution_and_conserves") {
+  const Tube coarse = run_tube(50, 2), fine = run_tube(100, 2);
+  for (const std::size_t i : {0u, 3u})  // mass and energy; momentum is the walls' business
+    CHECK(fine.after[i] == doctest::Approx(fine.before[i]).epsilon(1e-12));
+  const double coarse_error = mean_density_error(coarse), fine_error = mean_density_error(fine);
+  MESSAGE("mean density errors " << coarse_error << " " << fine_error);
+  CHECK(fine_error < 0.6 * coarse_error);  // first order at a shock
+  CHECK(fine_error < 0.008);
+  CHECK(mean_density_error(run_tube(100, 1)) > 1.5 * fine_error);
+  // No new extremes: the density stays between the driver's and the driven gas' shocked and unshocked ones.
+  for (const State& w : fine.state) {
+    CHECK(w.rho < 1.01);
+    CHECK(w.rho > 0.12);
+  }
+}
+
+TEST_CASE("a_strip_of_the_plane_keeps_a_flow_along_it_one_dimensional") {
+  const Tube tube = run_tube(50, 2);
+  double across = 0;
+  for (const State& w : tube.state) across = std::max(across, std::abs(w.v));
+  CHECK(across < 0.02);  // the diagonals are not symmetric about the middle
+}
+
+}  // namespace
