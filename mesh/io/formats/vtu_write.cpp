@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/formats/field_checks.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
@@ -173,10 +174,12 @@ std::string format(const SimplexMesh<Dim>& mesh, const std::vector<PointField>& 
 
 std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& point_fields,
                        const std::vector<CellField>& cell_fields) {
+  mesh::require_ids_in_range(mesh);
   return format(mesh, point_fields, cell_fields);
 }
 std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& point_fields,
                        const std::vector<CellField>& cell_fields) {
+  mesh::require_ids_in_range(mesh);
   return format(mesh, point_fields, cell_fields);
 }
 
