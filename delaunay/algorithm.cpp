@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/algorithm.hpp"
 
+#include <cstddef>
+#include <string>
+
 #include "leonhard/delaunay/lawson.hpp"
 #include "leonhard/delaunay/plane/bowyer.hpp"
 #include "leonhard/delaunay/plane/divide_and_conquer.hpp"
@@ -8,6 +11,8 @@
 #include "leonhard/delaunay/plane/green_sibson.hpp"
 #include "leonhard/delaunay/plane/randomized.hpp"
 #include "leonhard/delaunay/plane/watson.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {
 
@@ -19,6 +24,10 @@ std::optional<Algorithm> algorithm_named(std::string_view name) {
 
 PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorithm algorithm,
                                         const AlgorithmOptions& options) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!is_finite(points[i]))
+      throw InputError("point " + std::to_string(i), "is at " + mesh::words(points[i]),
+                       "give finite coordinates");
   switch (algorithm) {
     case Algorithm::fast:
       return triangulate_fast(points, options);

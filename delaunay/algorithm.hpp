@@ -45,10 +45,12 @@ inline constexpr std::array named_algorithms{
 }
 [[nodiscard]] std::optional<Algorithm> algorithm_named(std::string_view name);
 
-/// The Delaunay triangulation of distinct, finite points by the algorithm named.
+/// The Delaunay triangulation of distinct, finite points by the algorithm named. That they are distinct is a precondition:
+/// triangulate() merges those that are not.
 ///
 /// points  best in an order along a space-filling curve (sort_and_merge), which some algorithms rely on for
 ///         speed
+/// throws  InputError naming the first point that is not finite
 PointTriangulation triangulate_distinct(std::span<const Point2> points, Algorithm algorithm,
                                         const AlgorithmOptions& options);
 

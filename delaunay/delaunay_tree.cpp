@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/delaunay_tree.hpp"
 
-#include <cassert>
+#include <cstddef>
+#include <string>
 #include <utility>
 
 #include "leonhard/delaunay/order/insert_in_order.hpp"
 #include "leonhard/delaunay/plane/swap_insertion.hpp"
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -24,6 +27,11 @@ class TreeInserter {
   std::size_t insert(GhostTriangulation& in, VertexId v) {
     const Point2 p = points_[v.index()];
     const Location at = location_in(in, points_, history_.find(points_, p), p);
+    if (at.kind == Location::Kind::on_vertex)
+      throw InputError(
+          "point " + std::to_string(v.raw),
+          "is at " + mesh::words(p) + " as point " + std::to_string(in.origin(at.side).raw) + " is",
+          "give distinct points");
     return insertion_.insert(in, points_, v, at, history_);
   }
 
@@ -32,6 +40,24 @@ class TreeInserter {
   TriangleHistory& history_;
   SwapInsertion insertion_;
 };
+
+void check_input(std::span<const Point2> points, std::span<const std::uint32_t> order) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!is_finite(points[i]))
+      throw InputError("point " + std::to_string(i), "is at " + mesh::words(points[i]),
+                       "give finite coordinates");
+  if (order.size() != points.size())
+    throw InputError(
+        "order", std::to_string(order.size()) + " numbers for " + std::to_string(points.size()) + " points",
+        "give a permutation of the points");
+  std::vector<char> seen(points.size(), 0);
+  for (const std::uint32_t i : order) {
+    if (i >= seen.size() || seen[i] != 0)
+      throw InputError("order", std::to_string(i) + (i >= seen.size() ? " is no point" : " comes twice"),
+                       "give a permutation of the points");
+    seen[i] = 1;
+  }
+}
 
 }  // namespace
 
@@ -47,6 +73,7 @@ DelaunayTree::DelaunayTree(std::vector<Point2> points, const AlgorithmOptions& o
 }
 
 void DelaunayTree::build(const Progress& progress) {
+  check_input(points_, order_);
   (void)bring_triangle_to_front(points_, order_);  // as insert_in_order will do: order() tells the truth
   Construction made = insert_in_order(points_, order_, progress, TreeInserter(points_, history_));
   outcome_ = made.result.outcome;
@@ -55,7 +82,9 @@ void DelaunayTree::build(const Progress& progress) {
 }
 
 Location DelaunayTree::locate(Point2 p) const {
-  assert(outcome_ == TriangulateOutcome::done);
+  if (outcome_ != TriangulateOutcome::done)
+    throw InputError("DelaunayTree", "there are no triangles to ask", "look at outcome() first");
+  if (!is_finite(p)) throw InputError("point", "is at " + mesh::words(p), "give finite coordinates");
   return location_in(triangulation_, points_, history_.find(points_, p), p);
 }
 

@@ -24,11 +24,13 @@ class DelaunayTree {
   /// tree. Cost O(n log n) expected if the order is random, O(n^2) at worst.
   ///
   /// points  distinct and finite
+  /// throws  InputError naming a point that is not finite or equal to an earlier one, and for an order that is no permutation
   DelaunayTree(std::vector<Point2> points, std::vector<std::uint32_t> order, const Progress& progress = {});
   /// The same in a random order of the seed.
   explicit DelaunayTree(std::vector<Point2> points, const AlgorithmOptions& options = {});
 
-  /// What became of the construction. Unless it is done, the triangulation is empty and nothing may be asked.
+  /// What became of the construction. Unless it is done, the triangulation is empty, and locate and nearest throw
+  /// InputError.
   [[nodiscard]] TriangulateOutcome outcome() const { return outcome_; }
   [[nodiscard]] const std::vector<Point2>& points() const { return points_; }
   [[nodiscard]] const GhostTriangulation& triangulation() const { return triangulation_; }
@@ -41,7 +43,7 @@ class DelaunayTree {
   /// The triangulation alone, moved out of the tree.
   [[nodiscard]] PointTriangulation release() && { return {outcome_, std::move(triangulation_)}; }
 
-  /// Where a finite point lies. Cost O(log n) on the average over random orders.
+  /// Where a finite point lies; InputError for others. Cost O(log n) on the average over random orders.
   [[nodiscard]] Location locate(Point2 p) const;
 
   /// The site nearest to a finite point, the lexicographically first of those equally near.

@@ -16,6 +16,7 @@
 #include "leonhard/delaunay/topology/locate.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/data_structures.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -187,6 +188,7 @@ SwapReport swap_edges(GhostTriangulation& in, std::span<const Point2> points, co
 }
 
 SwapReport swap_edges(TriangleMesh& mesh, const SwapCriterion& criterion, const SwapOptions& options) {
+  mesh::require_ids_in_range(mesh);
   GhostTriangulation in = ghost_triangulation(mesh::quad_edge(mesh));
   const ConstraintSet constraints(mesh);
   SwapOptions with_constraints = options;

@@ -9,6 +9,7 @@
 
 #include "leonhard/delaunay/plane/swap_criterion.hpp"
 #include "leonhard/delaunay/point_triangulation.hpp"
+#include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/progress.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 

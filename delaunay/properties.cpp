@@ -12,6 +12,7 @@
 #include "leonhard/delaunay/topology/interior_edges.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {
@@ -35,12 +36,18 @@ bool is_strictly_convex(const TriangleMesh& mesh, const TrianglePair& pair) {
 }
 
 void require_same_points(const TriangleMesh& mesh, const TriangleMesh& other) {
+  mesh::require_corners_in_range(mesh);
+  mesh::require_corners_in_range(other);
   if (mesh.points == other.points) return;
   throw InputError("other", "its points are not those of the mesh in the same order",
                    "compare triangulations of one list of points");
 }
 
 void require_values(const TriangleMesh& mesh, std::span<const double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i]))
+      throw InputError("values", "value " + std::to_string(i) + " is " + words(values[i]),
+                       "give finite numbers");
   if (values.size() == mesh.vertex_count()) return;
   throw InputError("values",
                    "there are " + std::to_string(values.size()) + " for " +
@@ -112,6 +119,7 @@ std::optional<std::string> validate_uniqueness(const TriangleMesh& mesh) {
 }
 
 std::optional<std::string> validate_circumcircles(const TriangleMesh& mesh) {
+  mesh::require_corners_in_range(mesh);
   for (const TriangleId t : mesh.corners.ids()) {
     const auto& [a, b, c] = triangle(mesh, t);
     for (const VertexId v : mesh.points.ids())
@@ -159,6 +167,7 @@ std::optional<std::string> validate_containment_circles(const TriangleMesh& mesh
 }
 
 mpq_class roughness(const TriangleMesh& mesh, std::span<const double> values) {
+  mesh::require_corners_in_range(mesh);
   require_values(mesh, values);
   std::vector<mpq_class> terms;
   terms.reserve(mesh.triangle_count());

@@ -13,7 +13,8 @@
 /// The seven properties of Delaunay triangulations (Barth's notes 3.2) as checks of any triangulation.
 ///
 /// A check gives none where the property holds, else words for the first element that fails. Each decides by
-/// exact arithmetic. A mesh is one in which mesh::validate finds nothing wrong. Edges in mesh.constraints and
+/// exact arithmetic. A mesh is one in which mesh::validate finds nothing wrong: a precondition, of which that no id is out of
+/// range is checked (InputError). Edges in mesh.constraints and
 /// on the boundary are never blamed by the checks of pairs of triangles; the checks that hold every vertex
 /// against every element (circumcircles, edge circles, nearest neighbours) and those that compare two
 /// triangulations are theorems about triangulations of the whole convex hull without constraints.

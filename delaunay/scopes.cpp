@@ -2,9 +2,11 @@
 #include "leonhard/delaunay/scopes.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <string>
 
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -23,9 +25,16 @@ PerId<VertexId, std::size_t> ranks(const std::vector<std::uint32_t>& order) {
 }  // namespace
 
 std::size_t scope(std::span<const Point2> sites, const Corners& corners) {
+  for (const VertexId v : corners)
+    if (v.index() >= sites.size())
+      throw InputError("corners", "vertex " + std::to_string(v.raw) + " is none of " +
+                                      std::to_string(sites.size()) + " sites");
   const Point2 a = sites[corners[0].index()], b = sites[corners[1].index()], c = sites[corners[2].index()];
   const Sign inside = turn(sites, corners);  // incircle has this sign inside
-  assert(inside != Sign::zero);
+  if (inside == Sign::zero)
+    throw InputError("corners",
+                     mesh::words(a) + ", " + mesh::words(b) + " and " + mesh::words(c) + " are collinear",
+                     "give corners that turn");
   return static_cast<std::size_t>(std::count_if(sites.begin(), sites.end(), [&](Point2 p) {
     return kernel::incircle_perturbed(a, b, c, p) == inside;
   }));

@@ -20,6 +20,7 @@ using Corners = std::array<VertexId, 3>;
 /// The scope of a triangle, ties broken by kernel::incircle_perturbed. Cost O(n).
 ///
 /// corners  not collinear, in any orientation
+/// throws   InputError if they are collinear or none of the sites, or a coordinate is not finite
 [[nodiscard]] std::size_t scope(std::span<const Point2> sites, const Corners& corners);
 
 /// How many of all triangles of the sites have scope 0, 1, ..., n - 3; degenerate ones left out. Cost O(n^4):

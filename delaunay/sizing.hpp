@@ -27,7 +27,7 @@ class GradedSizing {
   /// Cost O(n log n).
   GradedSizing(std::vector<Source> sources, double growth, double max_size);
 
-  /// Target edge length at p: the minimum over all sources, exactly as if each were asked in turn.
+  /// Target edge length at p, finite (a precondition): the minimum over all sources, exactly as if each were asked in turn.
   /// Cost O(log n) typically (kd-tree with the least spacing of each subtree as its bound).
   [[nodiscard]] double operator()(Point2 p) const;
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/delaunay/tet_algorithm.hpp"
 
+#include <cstddef>
+#include <string>
+
 #include "leonhard/delaunay/space/tet_flipping.hpp"
 #include "leonhard/delaunay/space/tet_insertion.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {
 
@@ -14,6 +19,10 @@ std::optional<TetAlgorithm> tet_algorithm_named(std::string_view name) {
 
 PointTetrahedralization tetrahedralize_distinct(std::span<const Point3> points, TetAlgorithm algorithm,
                                                 const TetAlgorithmOptions& options) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!is_finite(points[i]))
+      throw InputError("point " + std::to_string(i), "is at " + mesh::words(points[i]),
+                       "give finite coordinates");
   switch (algorithm) {
     case TetAlgorithm::insertion:
       return tetrahedralize_insertion(points, options);

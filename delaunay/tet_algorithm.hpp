@@ -35,9 +35,11 @@ inline constexpr std::array named_tet_algorithms{
 }
 [[nodiscard]] std::optional<TetAlgorithm> tet_algorithm_named(std::string_view name);
 
-/// The Delaunay tetrahedralisation of distinct, finite points by the algorithm named.
+/// The Delaunay tetrahedralisation of distinct, finite points by the algorithm named. That they are distinct is a
+/// precondition: tetrahedralize() merges those that are not.
 ///
 /// points  best in an order along a space-filling curve (kernel::hilbert_order), on which speed relies
+/// throws  InputError naming the first point that is not finite
 PointTetrahedralization tetrahedralize_distinct(std::span<const Point3> points, TetAlgorithm algorithm,
                                                 const TetAlgorithmOptions& options);
 

@@ -8,6 +8,7 @@
 
 #include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/input_segments.hpp"
+#include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/progress.hpp"
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/pslg.hpp"

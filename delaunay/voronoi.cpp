@@ -12,6 +12,7 @@
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/edges.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {
@@ -46,9 +47,11 @@ void refuse_what_is_not_convex(const TriangleMesh& mesh) {
   PerId<VertexId, MaybeId<VertexId>> next(mesh.vertex_count());
   for (const MarkedEdge& edge : mesh.boundary) next[edge.from] = edge.to;
   const std::string remedy = "give the mesh that triangulate() makes of the points alone";
+  if (mesh.boundary.empty()) throw InputError("voronoi_diagram", "the mesh lists no boundary", remedy);
   std::size_t length = 0;
   const VertexId start = mesh.boundary.front().from;
-  for (VertexId v = start; length == 0 || v != start; v = *next[v], ++length)
+  for (MaybeId<VertexId> v = start; v && (length == 0 || v != MaybeId<VertexId>(start));
+       v = next[*v], ++length)
     if (length >= mesh.boundary.size()) break;
   if (length != mesh.boundary.size())
     throw InputError("voronoi_diagram", "the mesh's boundary is not a single loop", remedy);
@@ -205,6 +208,7 @@ std::vector<VoronoiVertexId> VoronoiDiagram::cell_vertices(VertexId site) const 
 }
 
 VoronoiDiagram voronoi_diagram(const TriangleMesh& delaunay) {
+  mesh::require_ids_in_range(delaunay);
   VoronoiDiagram diagram;
   diagram.sites = delaunay.points;
   const auto ids = delaunay.points.ids();

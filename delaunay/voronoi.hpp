@@ -9,6 +9,7 @@
 
 #include "leonhard/delaunay/triangulate.hpp"
 #include "leonhard/delaunay/voronoi_corner.hpp"
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
@@ -24,6 +25,8 @@ using VoronoiEdgeId = Id<struct VoronoiEdgeTag>;
 ///
 /// Topology is exact: triangles with the same circumcircle, by exact incircle, make one vertex, so that the vertices of
 /// a square grid's diagram have four edges. Only the vertices' coordinates are rounded.
+///
+/// What is asked of a site throws InputError where there is none of its number; ids of edges are a precondition.
 struct VoronoiDiagram {
   using Vertex = VoronoiCorner<Point2>;
   /// Directed, its first site on the left: a segment with two ends, a ray with one, a line (collinear sites) with none.
@@ -42,7 +45,10 @@ struct VoronoiDiagram {
       cell_edges;  ///< cell by cell, counter-clockwise, from the ray that comes from infinity
   std::vector<VertexId> site_of_input;  ///< one an input point; duplicates share a site
 
+  /// throws  InputError if there is no such site
   [[nodiscard]] std::span<const VoronoiEdgeId> cell(VertexId site) const {
+    if (!sites.contains(site)) [[unlikely]]
+      throw InputError("site " + std::to_string(site.raw), "is none of " + std::to_string(sites.size()));
     return std::span(cell_edges)
         .subspan(first_edge[site.index()], first_edge[site.index() + 1] - first_edge[site.index()]);
   }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "leonhard/delaunay/voronoi.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 
@@ -16,7 +18,10 @@ struct ClippedVoronoi {
   std::vector<Point2> corners;   ///< cell by cell, counter-clockwise; a cell outside the window has none
   PerId<VertexId, double> area;  ///< square units of the coordinates; infinite beyond the largest double
 
+  /// throws  InputError if there is no such site
   [[nodiscard]] std::span<const Point2> cell(VertexId site) const {
+    if (!area.contains(site)) [[unlikely]]
+      throw InputError("site " + std::to_string(site.raw), "is none of " + std::to_string(area.size()));
     return std::span(corners).subspan(first_corner[site.index()],
                                       first_corner[site.index() + 1] - first_corner[site.index()]);
   }

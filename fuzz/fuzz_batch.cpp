@@ -92,10 +92,16 @@ void check_forms(std::span<const Point> points, std::size_t step, Predicate ask,
   check_one_against_many(points, ask, filter, std::make_index_sequence<count - 1>());
 }
 
+/// As a SpheresFilter reads them.
+struct alignas(k::sphere_record_bytes) Record {
+  Point3 point;
+  std::uint32_t notes[2];
+};
+
 /// insphere of each call but its last point, and the last point of all.
 void check_spheres(std::span<const Point3> points, std::size_t step) {
   const auto calls = calls_of<4>(points.size(), step);
-  std::vector<k::detail::PaddedPoint3> padded;
+  std::vector<Record> padded;
   for (const Point3& p : points) padded.push_back({p, {~0U, 7}});
   std::vector<Sign> truth, signs(calls.size());
   for (const auto& [a, b, c, d] : calls)

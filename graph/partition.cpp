@@ -74,6 +74,8 @@ void detail::check_partition_request(const CsrGraph& graph, std::uint32_t parts,
 
 std::int64_t heaviest_allowed(std::int64_t weight, std::uint32_t parts, double imbalance) {
   if (parts == 0) throw InputError("parts", "a partition into 0 parts", "ask for at least 1");
+  if (!(imbalance >= 0) || !std::isfinite(imbalance))
+    throw InputError("imbalance", "it is " + std::to_string(imbalance), "give 0 or more");
   const std::int64_t even = weight / parts + (weight % parts == 0 ? 0 : 1);
   const double bound = std::floor((1 + imbalance) * static_cast<double>(weight) / parts);
   return std::max(even, bound >= static_cast<double>(weight) ? weight : static_cast<std::int64_t>(bound));

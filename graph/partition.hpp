@@ -167,6 +167,7 @@ Partition partition(const CsrGraph& graph, std::uint32_t parts, const PartitionO
 /// The weight that no part may exceed: (1 + imbalance) times the mean, rounded down, but at least the mean rounded up.
 ///
 /// weight  of all vertices together
+/// throws  InputError if there are no parts, or the imbalance is negative or not finite
 [[nodiscard]] std::int64_t heaviest_allowed(std::int64_t weight, std::uint32_t parts, double imbalance);
 
 /// A partition of the vertices from one of the triangles: a vertex goes to the part that holds most of its

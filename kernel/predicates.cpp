@@ -9,6 +9,7 @@
 #include "leonhard/kernel/arithmetic/exact_range.hpp"
 #include "leonhard/kernel/arithmetic/long_vector.hpp"
 #include "leonhard/kernel/arithmetic/small_multiples.hpp"
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/kernel/stages/finite.hpp"
@@ -71,7 +72,10 @@ StagedSign incircle_beyond_filter(const Point2& a, const Point2& b, const Point2
 
 }  // namespace
 
-void detail::refuse_order(const Point2& a, const Point2& b) { refuse_not_finite("compare_xy", a, b); }
+void detail::refuse_order(const Point2& a, const Point2& b) {
+  refuse_not_finite("compare_xy", a, b);
+  throw InputError("compare_xy", "the points have no order");  // not reached
+}
 
 Sign orient2d_exact(const Point2& a, const Point2& b, const Point2& c) {
   return orient2d_beyond_filter(a, b, c).sign;

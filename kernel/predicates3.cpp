@@ -10,6 +10,7 @@
 #include "leonhard/kernel/arithmetic/exact_range.hpp"
 #include "leonhard/kernel/arithmetic/long_vector.hpp"
 #include "leonhard/kernel/arithmetic/small_multiples.hpp"
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/pair.hpp"
 #include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/kernel/stages/finite.hpp"
@@ -109,7 +110,10 @@ StagedSign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3
 
 }  // namespace
 
-void detail::refuse_order(const Point3& a, const Point3& b) { refuse_not_finite("compare_xyz", a, b); }
+void detail::refuse_order(const Point3& a, const Point3& b) {
+  refuse_not_finite("compare_xyz", a, b);
+  throw InputError("compare_xyz", "the points have no order");  // not reached
+}
 
 Sign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   return orient3d_beyond_filter(a, b, c, d).sign;

@@ -10,7 +10,8 @@ namespace leonhard::mesh {
 /// ends; its areas are not. The segment between two centroids may pass beside the edge: an area is the right one as
 /// long as the cell, so bounded, is simple, and the areas always add up to the mesh's.
 ///
-/// edges  of this mesh, from build_edges
+/// edges   of this mesh, from build_edges
+/// throws  InputError for edges of another mesh
 /// Cost O(edges + triangles).
 [[nodiscard]] DualMetrics<2> centroid_dual(const TriangleMesh& mesh, const EdgeStructure& edges);
 

@@ -2,14 +2,22 @@
 #include "leonhard/mesh/dirichlet_dual.hpp"
 
 #include "leonhard/kernel/constructions.hpp"
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/check/same_mesh.hpp"
+#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::mesh {
 namespace {
 
 /// The corner opposite a boundary edge.
 Point2 opposite_corner(const TriangleMesh& mesh, const EdgeStructure& edges, const MarkedEdge& edge) {
-  const auto& sides = edges.sides[*edges.find(edge.from, edge.to)];
+  const MaybeId<EdgeId> found = edges.find(edge.from, edge.to);
+  if (!found)
+    throw InputError("mesh",
+                     words(mesh, edge.from, edge.to) + " is listed as boundary, but no triangle has it",
+                     "mesh::validate names what is wrong with a mesh");
+  const auto& sides = edges.sides[*found];
   for (const VertexId v : mesh.corners[*(sides[0] ? sides[0] : sides[1])])
     if (v != edge.from && v != edge.to) return mesh.points[v];
   return mesh.points[edge.from];  // not reached: a triangle of the edge has a third corner
@@ -18,6 +26,7 @@ Point2 opposite_corner(const TriangleMesh& mesh, const EdgeStructure& edges, con
 }  // namespace
 
 DirichletDual dirichlet_dual(const TriangleMesh& mesh, const EdgeStructure& edges) {
+  require_edges_of(mesh, edges);
   PerId<TriangleId, Point2> centres(mesh.triangle_count());
   for (const TriangleId t : mesh.corners.ids()) {
     const auto& [a, b, c] = mesh.corners[t];

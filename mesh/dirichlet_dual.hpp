@@ -28,7 +28,7 @@ namespace mesh {
 ///
 /// mesh   Delaunay (validate_delaunay): faces across its interior edges are then never negative
 /// edges  of this mesh, from build_edges
-/// throws InputError where a circumcentre lies beyond the largest double
+/// throws InputError for edges of another mesh, a boundary that is not the mesh's, and where a circumcentre lies beyond the largest double
 /// Cost O(edges + triangles), a quarter of a microsecond a triangle.
 [[nodiscard]] DirichletDual dirichlet_dual(const TriangleMesh& mesh, const EdgeStructure& edges);
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/dual_metrics.hpp"
 
+#include <string>
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/check/same_mesh.hpp"
+
 namespace leonhard::mesh {
 namespace {
 
@@ -28,6 +32,12 @@ std::vector<Vec3> boundary_normals(const TetMesh& mesh) {
 
 DualMetrics<2> straight_dual(const TriangleMesh& mesh, const EdgeStructure& edges,
                              const PerId<TriangleId, Point2>& centres) {
+  require_edges_of(mesh, edges);
+  if (centres.size() != mesh.triangle_count())
+    throw InputError("centres",
+                     std::to_string(centres.size()) + " centres for " +
+                         std::to_string(mesh.triangle_count()) + " triangles",
+                     "give one a triangle");
   DualMetrics<2> dual;
   dual.normal.resize(edges.edge_count());
   dual.volume.resize(mesh.vertex_count(), 0.0);

@@ -37,6 +37,7 @@ namespace mesh {
 /// edges    of this mesh, from build_edges
 /// centres  one a triangle, anywhere: about each vertex the normals add up to zero, and the areas, negative parts
 ///          counted so, add up to the mesh's
+/// throws   InputError for edges of another mesh, and unless there is one centre a triangle
 /// Cost O(edges).
 [[nodiscard]] DualMetrics<2> straight_dual(const TriangleMesh& mesh, const EdgeStructure& edges,
                                            const PerId<TriangleId, Point2>& centres);

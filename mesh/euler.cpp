@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "leonhard/mesh/check/same_mesh.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/exact_sum.hpp"
 
@@ -128,6 +129,7 @@ void write_formulas(EulerAccount& account) {
 }  // namespace
 
 EulerAccount euler_account(const TriangleMesh& mesh, const EdgeStructure& edges) {
+  require_edges_within(mesh, edges);
   DisjointSets fans = fans_of(mesh, edges);
   const std::vector<DirectedEdge> directed = directed_boundary(mesh, edges, fans);
   const LoopCount loops = walk_loops(mesh, directed);

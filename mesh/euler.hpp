@@ -50,6 +50,7 @@ namespace mesh {
 /// Euler's account of a mesh with any number of components, holes and pinches.
 ///
 /// edges   of this mesh, from build_edges. mesh.neighbours is not read.
+/// throws  InputError naming the first edge that is none of the mesh's; edges that are missing make the account not balance
 /// Formulas, with n(v) = fans, C = components, H = holes, L = boundary_loops:
 /// - (1.1.0), Euler's, the infinite face and the holes counted as faces: n(f) + H + 1 = n(e) - n(v) + 1 + C
 /// - (1.1.1), that is chi = C - H: n(f) + n(v) = n(e) + C - H

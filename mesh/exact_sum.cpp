@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/exact_sum.hpp"
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/words.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -19,11 +21,20 @@ struct Parts {
   int exponent;
 };
 
+constexpr int no_number = 0x7ff;
+
+[[noreturn, gnu::cold, gnu::noinline]] void throw_not_finite(double x) {
+  throw InputError("ExactSum", words(x) + " in a product", "give finite numbers");
+}
+
+/// throws  InputError if x is NaN or infinite
 Parts parts_of(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const int field = static_cast<int>((bits >> 52) & 0x7ff);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   if (field == 0) return {fraction, -1074};
+  if (field == no_number) [[unlikely]]
+    throw_not_finite(x);
   return {fraction | (std::uint64_t{1} << 52), field - 1075};
 }
 
@@ -32,7 +43,6 @@ constexpr std::uint32_t additions_before_carry = std::uint32_t{1} << 29;
 }  // namespace
 
 void ExactSum::add_product(double a, double b) {
-  assert(std::isfinite(a) && std::isfinite(b));
   const Parts p = parts_of(a), q = parts_of(b);
   const Wide product = static_cast<Wide>(p.mantissa) * q.mantissa;
   const auto shift = static_cast<unsigned>(p.exponent + q.exponent - lowest_exponent);
@@ -53,7 +63,6 @@ void ExactSum::add_product(double a, double b) {
 }
 
 void ExactSum::add_product(double a, double b, double c) {
-  assert(std::isfinite(a) && std::isfinite(b) && std::isfinite(c));
   const Parts p = parts_of(a), q = parts_of(b), r = parts_of(c);
   const Wide first_two = static_cast<Wide>(p.mantissa) * q.mantissa;
   const auto shift = static_cast<unsigned>(p.exponent + q.exponent + r.exponent - lowest_exponent);

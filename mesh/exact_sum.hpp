@@ -13,7 +13,7 @@ namespace leonhard::mesh {
 
 /// An exact sum of products of doubles: a fixed-point number wide enough for every product of three finite doubles,
 /// kept in digits of 32 bits with their carries put off. One product costs a few nanoseconds whatever the number of
-/// summands, where rational numbers would grow.
+/// summands, where rational numbers would grow. throws InputError, unchanged, for a number that is NaN or infinite.
 /// Source: Kulisch and Miranker, Computer Arithmetic in Theory and Practice (1981), the long accumulator.
 class ExactSum {
  public:

@@ -2,6 +2,7 @@
 #include "leonhard/mesh/exact_volume.hpp"
 
 #include "leonhard/mesh/exact_sum.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/structures/sorted_facet.hpp"
 
 namespace leonhard::mesh {
@@ -14,6 +15,7 @@ void add_face(ExactSum& sum, const TetMesh& mesh, const std::array<VertexId, 3>&
 }  // namespace
 
 mpq_class exact_volume6(const TetMesh& mesh) {
+  require_corners_in_range(mesh);
   ExactSum sum;
   for (const auto& corners : mesh.corners) {
     for (std::size_t side = 0; side < 4; ++side) add_face(sum, mesh, outward_facet(corners, side));
@@ -22,6 +24,7 @@ mpq_class exact_volume6(const TetMesh& mesh) {
 }
 
 mpq_class exact_boundary_volume6(const TetMesh& mesh) {
+  require_ids_in_range(mesh);
   ExactSum sum;
   for (const MarkedFace& face : mesh.boundary) add_face(sum, mesh, face.corners);
   return sum.value();

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/structures/hash128.hpp"
 
 namespace leonhard {
@@ -40,6 +41,7 @@ Fingerprint cell_hash(const Points& points, const std::array<VertexId, N>& corne
 
 template <class Mesh>
 Fingerprint fingerprint_of(const Mesh& mesh) {
+  require_corners_in_range(mesh);
   std::vector<Fingerprint> cells;
   cells.reserve(mesh.corners.size());
   for (const auto& corners : mesh.corners) cells.push_back(cell_hash(mesh.points, corners));

@@ -8,8 +8,11 @@
 #include <iosfwd>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard {
 
@@ -19,13 +22,25 @@ using IdRaw = std::uint64_t;
 using IdRaw = std::uint32_t;
 #endif
 
+namespace detail {
+[[noreturn, gnu::cold, gnu::noinline]] inline void throw_no_such_id(std::size_t number) {
+  throw InputError("id",
+                   std::to_string(number) + " is beyond what an id of " + std::to_string(8 * sizeof(IdRaw)) +
+                       " bits can number",
+                   sizeof(IdRaw) < 8 ? "build with LEONHARD_64BIT_IDS" : "");
+}
+}  // namespace detail
+
 /// A number that knows what it numbers: a VertexId cannot index triangles.
 template <class Tag>
 struct Id {
   IdRaw raw{};
 
+  /// throws  InputError if an id cannot number it; where a loop's bound is known to fit, Id{static_cast<IdRaw>(index)} is
+  ///         the same without a check
   [[nodiscard]] static constexpr Id from(std::size_t index) {
-    assert(index < std::numeric_limits<IdRaw>::max());
+    if (index >= std::numeric_limits<IdRaw>::max()) [[unlikely]]
+      detail::throw_no_such_id(index);
     return Id{static_cast<IdRaw>(index)};
   }
   [[nodiscard]] constexpr std::size_t index() const { return raw; }
@@ -91,7 +106,7 @@ class IdRange {
 
     constexpr iterator() = default;
     constexpr explicit iterator(std::size_t index) : index_(index) {}
-    [[nodiscard]] constexpr IdT operator*() const { return IdT::from(index_); }
+    [[nodiscard]] constexpr IdT operator*() const { return IdT{static_cast<IdRaw>(index_)}; }
     constexpr iterator& operator++() {
       ++index_;
       return *this;
@@ -107,7 +122,11 @@ class IdRange {
     std::size_t index_{};
   };
 
-  constexpr explicit IdRange(std::size_t count) : count_(count) {}
+  /// throws  InputError if ids cannot number so many
+  constexpr explicit IdRange(std::size_t count) : count_(count) {
+    if (count > std::numeric_limits<IdRaw>::max()) [[unlikely]]
+      detail::throw_no_such_id(count - 1);
+  }
   [[nodiscard]] constexpr iterator begin() const { return iterator(0); }
   [[nodiscard]] constexpr iterator end() const { return iterator(count_); }
   [[nodiscard]] constexpr std::size_t size() const { return count_; }
@@ -116,7 +135,8 @@ class IdRange {
   std::size_t count_;
 };
 
-/// A flat array indexed by one kind of id only.
+/// A flat array indexed by one kind of id only. That an id is within the array is a precondition, which assertions check:
+/// this is what inner loops are made of; contains() says whether it is.
 template <class IdT, class T>
 class PerId {
  public:

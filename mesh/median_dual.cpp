@@ -3,6 +3,10 @@
 
 #include <array>
 
+#include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/check/same_mesh.hpp"
+#include "leonhard/mesh/words.hpp"
+
 namespace leonhard::mesh {
 namespace {
 
@@ -66,6 +70,7 @@ PerId<VertexId, double> shares_of_cells(const SimplexMesh<Dim>& mesh) {
 }  // namespace
 
 DualMetrics<2> median_dual(const TriangleMesh& mesh, const EdgeStructure& edges) {
+  require_edges_of(mesh, edges);
   DualMetrics<2> dual;
   dual.normal.resize(edges.edge_count());
   for (const EdgeId e : edges.ends.ids())
@@ -76,16 +81,26 @@ DualMetrics<2> median_dual(const TriangleMesh& mesh, const EdgeStructure& edges)
 }
 
 DualMetrics<3> median_dual(const TetMesh& mesh, const TetEdges& edges) {
+  require_edge_list_of(mesh, edges);
+  require_boundary_within(mesh);
   DualMetrics<3> dual;
   dual.normal.resize(edges.edge_count());
+  PerId<EdgeId, char> used(edges.edge_count(), 0);
   for (const auto& corners : mesh.corners) {
     const auto point = [&](unsigned i) { return mesh.points[corners[i]]; };
     for (const auto& [i, j, k, l] : even_orders) {
+      const MaybeId<EdgeId> e = edges.find(corners[i], corners[j]);
+      if (!e)
+        throw InputError("edges", words(mesh, corners[i], corners[j]) + " is missing",
+                         "give what build_edges makes of this mesh");
+      used[*e] = 1;
       const Vec3 part = 1.0 / 24.0 * face_part24(point(i), point(j), point(k), point(l));
-      Vec3& normal = dual.normal[*edges.find(corners[i], corners[j])];
+      Vec3& normal = dual.normal[*e];
       normal = corners[i] < corners[j] ? normal + part : normal - part;
     }
   }
+  for (const EdgeId e : edges.ends.ids())
+    if (!used[e]) throw_foreign_edge(e, edges.ends[e]);
   dual.volume = shares_of_cells(mesh);
   dual.boundary_normal = boundary_normals(mesh);
   return dual;

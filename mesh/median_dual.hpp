@@ -13,6 +13,7 @@ namespace leonhard::mesh {
 /// midpoint. A volume is a third of the vertex's triangles' or a quarter of its tetrahedra's.
 ///
 /// edges   of this mesh, from build_edges
+/// throws  InputError naming the first edge that is none of the mesh's, or what is missing
 /// Closed to rounding: about each vertex the outward normals and boundary parts add up to zero, the volumes add up to the
 /// mesh's. All values are made of differences of coordinates, never of centroids' absolute positions, so a mesh far from
 /// the origin keeps its digits.

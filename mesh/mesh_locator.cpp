@@ -22,7 +22,7 @@ namespace leonhard::mesh {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Cells, or facets, in a leaf of a tree.
+/// Cells, vertices or facets in a leaf of a tree.
 constexpr std::size_t leaf_size = 4;
 
 std::array<VertexId, 2> vertices_of(const MarkedEdge& edge) { return {edge.from, edge.to}; }
@@ -127,8 +127,11 @@ struct MeshLocator<Mesh>::Index {
       : mesh(of),
         side_of_facet(boundary_cells(of)),
         cells(checked_cells()),
+        vertices(kernel::hilbert_order(of.points.flat())),
         facets(kernel::hilbert_order(facet_centres())),
         cell_tree(boxes(cells.size(), [&](std::size_t i) { return corner_points(cells[i]); })),
+        vertex_tree(
+            boxes(vertices.size(), [&](std::size_t i) { return std::array{of.points.flat()[vertices[i]]}; })),
         facet_tree(boxes(facets.size(), [&](std::size_t i) { return facet_points(facets[i]); })),
         largest(std::max(largest_coordinate(cell_tree.box().low), largest_coordinate(cell_tree.box().high))) {
   }
@@ -138,7 +141,7 @@ struct MeshLocator<Mesh>::Index {
     return points_of(mesh.points, vertices_of(mesh.boundary[f]));
   }
 
-  /// Calls visit(i) for the cells or facets of a leaf, by their places in the order along the curve.
+  /// Calls visit(i) for the cells, vertices or facets of a leaf, by their places in the order along the curve.
   template <class Visit>
   static void for_each_in_leaf(std::size_t leaf, std::size_t count, const Visit& visit) {
     for (std::size_t i = leaf * leaf_size; i < std::min(count, (leaf + 1) * leaf_size); ++i) visit(i);
@@ -147,8 +150,9 @@ struct MeshLocator<Mesh>::Index {
   const Mesh& mesh;
   std::vector<CellSide<CellId>> side_of_facet;  // to each entry of mesh.boundary
   std::vector<CellId> cells;                    // along a Hilbert curve
+  std::vector<std::uint32_t> vertices;          // likewise
   std::vector<std::uint32_t> facets;            // entries of mesh.boundary, likewise
-  BoxTree<Point> cell_tree, facet_tree;
+  BoxTree<Point> cell_tree, vertex_tree, facet_tree;
   double largest;  // of the coordinates' sizes
 
  private:
@@ -241,18 +245,17 @@ MaybeId<VertexId> MeshLocator<Mesh>::nearest_vertex(const Point& p) const {
   double least = infinity;
   // Rounded squares of distances are off by less than 2^-50 of themselves and 2^-1070.
   const auto is_farther = [&](double d2) { return d2 > least * (1 + 0x1p-48) + 0x1p-1060; };
-  index_->cell_tree.for_each_near(distance2, is_farther, [&](std::size_t leaf) {
-    index_->for_each_in_leaf(leaf, index_->cells.size(), [&](std::size_t i) {
-      for (const VertexId v : index_->mesh.corners[index_->cells[i]]) {
-        const double d2 = distance2(points[v]);
-        if (v == nearest || is_farther(d2)) continue;
-        if (nearest) {
-          const Sign beyond = kernel::compare_distance(p, points[v], points[*nearest]);
-          if (beyond == Sign::positive || (beyond == Sign::zero && *nearest < v)) continue;
-        }
-        nearest = v;
-        least = d2;
+  index_->vertex_tree.for_each_near(distance2, is_farther, [&](std::size_t leaf) {
+    index_->for_each_in_leaf(leaf, index_->vertices.size(), [&](std::size_t i) {
+      const VertexId v{index_->vertices[i]};
+      const double d2 = distance2(points[v]);
+      if (is_farther(d2)) return;
+      if (nearest) {
+        const Sign beyond = kernel::compare_distance(p, points[v], points[*nearest]);
+        if (beyond == Sign::positive || (beyond == Sign::zero && *nearest < v)) return;
       }
+      nearest = v;
+      least = d2;
     });
   });
   return nearest;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -24,15 +25,16 @@ void check_permutation(std::size_t count, const PerId<VertexId, VertexId>& new_o
   PerId<VertexId, MaybeId<VertexId>> old_of_new(count);
   for (const VertexId old : new_of_old.ids()) {
     const VertexId id = new_of_old[old];
-    const std::string entry =
-        "vertex " + std::to_string(old.raw) + " is given the number " + std::to_string(id.raw);
+    const auto entry = [&] {
+      return "vertex " + std::to_string(old.raw) + " is given the number " + std::to_string(id.raw);
+    };
     if (!old_of_new.contains(id)) {
-      throw InputError("new_of_old", entry + ", but there are " + std::to_string(count) + " vertices",
+      throw InputError("new_of_old", entry() + ", but there are " + std::to_string(count) + " vertices",
                        remedy);
     }
     if (old_of_new[id]) {
       throw InputError("new_of_old",
-                       entry + ", which vertex " + std::to_string((*old_of_new[id]).raw) + " has already",
+                       entry() + ", which vertex " + std::to_string((*old_of_new[id]).raw) + " has already",
                        remedy);
     }
     old_of_new[id] = old;
@@ -121,6 +123,7 @@ template <int Dim>
 SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh, const PerId<VertexId, VertexId>& new_of_old,
                                    CellOrder order) {
   check_permutation(mesh.vertex_count(), new_of_old);
+  require_ids_in_range(mesh);
   SimplexMesh<Dim> result = mesh;
   result.points = renumbered(mesh.points, new_of_old);
   result.vertex_markers = renumbered(mesh.vertex_markers, new_of_old);

@@ -16,7 +16,8 @@ enum class CellOrder {
 /// inner facets keep their order, and each cell the order of its corners.
 ///
 /// new_of_old  a permutation: the new id of each old vertex
-/// throws  InputError if new_of_old is not a permutation of the mesh's vertices
+/// throws  InputError if new_of_old is not a permutation of the mesh's vertices, or the mesh has ids out of range or arrays
+///         of the wrong size
 /// Cost O(vertices + cells log degree).
 template <int Dim>
 [[nodiscard]] SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh,

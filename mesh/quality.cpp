@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/quality.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,7 @@ TriangleQuality triangle_quality(Point2 a, Point2 b, Point2 c) {
 }
 
 MeshQuality quality(const TriangleMesh& mesh, std::size_t worst_count) {
+  require_ids_in_range(mesh);
   MeshQuality q;
   if (mesh.corners.empty()) return q;
   q.min_angle_deg = 180;

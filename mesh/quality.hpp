@@ -48,6 +48,8 @@ namespace mesh {
 /// Quality figures of a mesh with neighbours.
 ///
 /// worst_count  how many triangles to name in `worst` (ties go to the smaller id)
+/// throws       InputError for an id out of range or an array of the wrong size (require_ids_in_range). Figures of triangles
+///              that are flat or turned round, or have NaN coordinates, mean nothing
 /// Cost O(triangles).
 [[nodiscard]] MeshQuality quality(const TriangleMesh& mesh, std::size_t worst_count = 5);
 

@@ -25,13 +25,16 @@ struct TetEdges {
 
 namespace mesh {
 
-/// The edges of a mesh, from its corners alone, which must be in range: whatever is wrong with its faces.
+/// The edges of a mesh, from its corners alone, whatever is wrong with its faces.
+///
+/// throws  InputError on a corner that is no vertex
 /// Cost O(vertices + tetrahedra), one sort by buckets.
 [[nodiscard]] TetEdges build_edges(const TetMesh& mesh);
 
 /// The edges of faces.
 ///
-/// vertices  their count; every corner is one of them
+/// vertices  their count
+/// throws    InputError if a corner is none of them
 /// Cost O(vertices + faces), one sort by buckets.
 [[nodiscard]] TetEdges build_edges(const FaceStructure& faces, std::size_t vertices);
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "leonhard/mesh/check/same_mesh.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/exact_sum.hpp"
 #include "leonhard/mesh/structures/sorted_facet.hpp"
@@ -336,6 +337,8 @@ void write_formulas(TetEulerAccount& account, const StarSums& sums) {
 }  // namespace
 
 TetEulerAccount euler_account(const TetMesh& mesh, const FaceStructure& faces, const TetEdges& edges) {
+  require_faces_within(mesh, faces);
+  require_edge_list_of(mesh, edges);
   TetEulerAccount account;
   account.vertices = mesh.vertex_count();
   account.edges = edges.edge_count();
@@ -351,8 +354,10 @@ TetEulerAccount euler_account(const TetMesh& mesh, const FaceStructure& faces, c
   count_tets_and_faces(mesh, faces, stars, counts);
 
   Boundary boundary(mesh);
+  PerId<EdgeId, char> has_fan(edges.edge_count(), 0);
   FanWalk(mesh).for_each([&](const Fan& fan) {
     ++account.fans;
+    if (const auto e = edges.find(fan.from, fan.to)) has_fan[*e] = 1;
     if (fan.ends) ++account.boundary_edges, boundary.join(fan);
     for (const VertexId v : {fan.from, fan.to}) {
       StarCounts& star = counts[stars.at(mesh, fan.tet, v)];
@@ -360,6 +365,8 @@ TetEulerAccount euler_account(const TetMesh& mesh, const FaceStructure& faces, c
       if (fan.ends) ++star.boundary_edges;
     }
   });
+  for (const EdgeId e : edges.ends.ids())
+    if (!has_fan[e]) throw_foreign_edge(e, edges.ends[e]);
   account.edge_pinches = edge_pinches(faces, edges);
 
   boundary.for_each_corner([&](const Side& side, std::size_t corner, bool first_of_sheet) {

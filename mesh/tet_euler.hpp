@@ -79,6 +79,8 @@ namespace mesh {
 /// - boundary faces listed = n(f)_bound
 /// - n(v) = vertices + pinches, n(e) = edges + pinches
 ///
+/// mesh    its corners and neighbours are those that mesh::validate would let pass: a precondition
+/// throws  InputError naming the first face or edge that is none of the mesh's; what is missing makes the account not balance
 /// Cost O(vertices + tetrahedra) nearly, plus an exact sum a shell.
 [[nodiscard]] TetEulerAccount euler_account(const TetMesh& mesh, const FaceStructure& faces,
                                             const TetEdges& edges);

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "leonhard/kernel/double_double.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -227,6 +228,7 @@ TetQuality tet_quality(const Point3& a, const Point3& b, const Point3& c, const 
 }
 
 TetMeshQuality quality(const TetMesh& mesh, std::size_t worst_count) {
+  require_ids_in_range(mesh);
   TetMeshQuality q;
   if (mesh.corners.empty()) return q;
   q.min_dihedral_deg = 180;

@@ -56,6 +56,7 @@ namespace mesh {
 /// Quality figures of a mesh with neighbours.
 ///
 /// worst_count  how many tetrahedra to name in `worst` (ties go to the smaller id)
+/// throws       InputError as quality of triangles does
 /// Cost O(tetrahedra), some tenths of a microsecond each.
 [[nodiscard]] TetMeshQuality quality(const TetMesh& mesh, std::size_t worst_count = 5);
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "leonhard/mesh/check/invariants.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -67,6 +68,7 @@ void build_neighbours(SimplexMesh<Dim>& mesh) {
 
 template <int Dim>
 std::vector<typename Simplex<Dim>::MarkedFacet> boundary_facets(const SimplexMesh<Dim>& mesh, Marker marker) {
+  require_ids_in_range(mesh);
   const BoundaryFacets<Dim> boundary(mesh);
   std::vector<typename Simplex<Dim>::MarkedFacet> facets;
   facets.reserve(boundary.facets().size());

@@ -26,6 +26,7 @@ void build_neighbours(SimplexMesh<Dim>& mesh);
 /// first (of a face; an edge has the mesh to its left), sorted by vertices in ascending order.
 ///
 /// marker  of all of them
+/// throws  InputError for an id out of range or an array of the wrong size
 /// Cost O(cells + boundary log boundary).
 template <int Dim>
 [[nodiscard]] std::vector<typename Simplex<Dim>::MarkedFacet> boundary_facets(const SimplexMesh<Dim>& mesh,

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "leonhard/kernel/input_error.hpp"
+
 namespace leonhard {
 namespace {
 
@@ -18,6 +20,20 @@ static_assert(sizeof(PetscScalar) == sizeof(double), "PETSc with real scalars");
 void check(PetscErrorCode code, const char* what) {
   if (code != 0)
     throw std::runtime_error(std::string("PETSc: ") + what + " failed with error " + std::to_string(code));
+}
+
+/// Whether it ran and ended: neither PETSc nor MPI starts a second time.
+bool petsc_has_ended() {
+  PetscBool finalized = PETSC_FALSE;
+  PetscFinalized(&finalized);
+  int mpi_finalized = 0;
+  MPI_Finalized(&mpi_finalized);
+  return finalized == PETSC_TRUE || mpi_finalized != 0;
+}
+
+void require_size(const char* name, std::size_t size, std::size_t least) {
+  if (size < least)
+    throw InputError(name, std::to_string(size) + " numbers, the system has " + std::to_string(least));
 }
 
 bool petsc_runs() {
@@ -31,6 +47,11 @@ bool petsc_runs() {
 
 PetscSession::PetscSession() {
   if (petsc_runs()) return;
+  if (petsc_has_ended())
+    throw std::logic_error(
+        "PetscSession: PETSc and MPI have ended in this process and cannot start again; keep one session "
+        "alive for as "
+        "long as anything is solved");
   check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "true"), "PetscOptionsSetValue");
   check(PetscInitializeNoArguments(), "PetscInitialize");
   owner_ = true;
@@ -111,9 +132,41 @@ struct BlockSystem::Petsc::Callbacks {
   }
 };
 
+namespace {
+
+/// throws  InputError unless the rows are as BlockSystem's header wants them
+void check_pattern(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column) {
+  const auto refuse = [](std::size_t row, const char* problem) {
+    throw InputError("row " + std::to_string(row), problem,
+                     "give ascending columns, the diagonal among them");
+  };
+  if (row_offset.size() < 2 || row_offset.front() != 0 ||
+      static_cast<std::size_t>(row_offset.back()) != column.size())
+    throw InputError("row_offset", "does not run from 0 to the number of columns listed",
+                     "give one row at least");
+  const auto rows = static_cast<std::int32_t>(row_offset.size() - 1);
+  for (std::int32_t row = 0; row < rows; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    if (row_offset[i + 1] < row_offset[i] || static_cast<std::size_t>(row_offset[i + 1]) > column.size())
+      refuse(i, "its columns begin after they end");
+    bool has_diagonal = false;
+    for (auto k = static_cast<std::size_t>(row_offset[i]); k < static_cast<std::size_t>(row_offset[i + 1]);
+         ++k) {
+      if (column[k] < 0 || column[k] >= rows) refuse(i, "a column is out of range");
+      if (k > static_cast<std::size_t>(row_offset[i]) && column[k] <= column[k - 1])
+        refuse(i, "its columns do not ascend");
+      has_diagonal = has_diagonal || column[k] == row;
+    }
+    if (!has_diagonal) refuse(i, "it lacks its diagonal");
+  }
+}
+
+}  // namespace
+
 BlockSystem::BlockSystem(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column)
     : petsc_(std::make_unique<Petsc>()) {
   if (!petsc_runs()) throw std::logic_error("BlockSystem: make a PetscSession first");
+  check_pattern(row_offset, column);
   Petsc& self = *petsc_;
   self.block_numbers = 16 * column.size();
   const auto rows = static_cast<PetscInt>(row_offset.size() - 1), size = 4 * rows;
@@ -147,6 +200,7 @@ BlockSystem& BlockSystem::operator=(BlockSystem&&) noexcept = default;
 
 bool BlockSystem::factor(std::span<const double> blocks) {
   Petsc& self = *petsc_;
+  require_size("blocks", blocks.size(), self.block_numbers);
   PetscScalar* values = nullptr;
   check(MatSeqBAIJGetArray(self.matrix, &values), "MatSeqBAIJGetArray");
   std::copy_n(blocks.begin(), self.block_numbers, values);
@@ -168,6 +222,13 @@ bool BlockSystem::factor(std::span<const double> blocks) {
 LinearReport BlockSystem::solve(std::span<const double> b, std::span<double> x, const LinearOptions& options,
                                 const LinearOperator& product, std::stop_token stop) {
   Petsc& self = *petsc_;
+  require_size("b", b.size(), self.size);
+  require_size("x", x.size(), self.size);
+  if (!(options.relative_tolerance >= 0) || options.max_iterations < 1)
+    throw InputError("LinearOptions",
+                     "a tolerance of " + std::to_string(options.relative_tolerance) + " and at most " +
+                         std::to_string(options.max_iterations) + " iterations",
+                     "give a tolerance that is not negative and at least one iteration");
   self.product = &product;
   self.stop = std::move(stop);
   self.stopped = false;

@@ -13,10 +13,11 @@ namespace leonhard {
 
 /// PETSc's life, at most one at a time and made once, by the program or a test's main: starts PETSc (and MPI with it,
 /// in one process, no mpirun) without command line, signal handlers or output, and ends both in the destructor. Does
-/// nothing where PETSc is already running.
+/// nothing where PETSc is already running, but the first session must outlive whatever solves.
 class PetscSession {
  public:
-  /// throws  std::runtime_error when PETSc cannot start
+  /// throws  std::runtime_error when PETSc cannot start; std::logic_error where PETSc or MPI has run and ended in this
+  ///         process: neither starts a second time
   PetscSession();
   ~PetscSession();
   PetscSession(const PetscSession&) = delete;
@@ -64,14 +65,14 @@ using LinearOperator = std::function<void(std::span<const double> x, std::span<d
 class BlockSystem {
  public:
   /// row_offset, column  block pattern, columns ascending in each row, every row with its diagonal
-  /// throws              std::logic_error without a PetscSession
+  /// throws              std::logic_error without a PetscSession, InputError naming the row that is not so
   BlockSystem(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column);
   ~BlockSystem();
   BlockSystem(BlockSystem&&) noexcept;
   BlockSystem& operator=(BlockSystem&&) noexcept;
 
   /// Set the matrix and its incomplete factors ILU(0) in the rows' own order.
-  /// blocks   16 numbers a block of the pattern, column by column; may be longer
+  /// blocks   16 numbers a block of the pattern, column by column; may be longer, InputError if it is shorter
   /// returns  false where a pivot block is singular or not finite
   [[nodiscard]] bool factor(std::span<const double> blocks);
 

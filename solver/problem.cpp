@@ -6,6 +6,7 @@
 #include <string>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 
 namespace leonhard {
 
@@ -46,6 +47,7 @@ void check_markers(const EulerProblem& problem) {
 void check_problem(const EulerProblem& problem) {
   if (problem.mesh.triangle_count() == 0)
     throw InputError("mesh", "has no triangles", "give a mesh of the flow domain");
+  mesh::require_ids_in_range(problem.mesh);
   const FreeStream& free = problem.free_stream;
   check_number(std::isfinite(free.mach) && free.mach > 0, "mach", free.mach, "give a Mach number above 0");
   check_number(std::isfinite(free.alpha_rad), "alpha", free.alpha_rad, "give an angle of attack");

@@ -35,7 +35,7 @@ struct EulerProblem {
 namespace solver {
 
 /// Check a problem before any work.
-/// throws  InputError naming the marker, value or vertex: a marker on the boundary without a condition, a
+/// throws  InputError naming the marker, value or vertex: an id out of range or an array of the wrong size, a marker on the boundary without a condition, a
 /// condition
 ///         whose marker is nowhere, Mach <= 0 or not finite, gamma <= 1, a reference length <= 0, an empty
 ///         mesh

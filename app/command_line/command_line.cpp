@@ -68,12 +68,12 @@ ExitCode run_command_line(const ProgramText& text, const std::vector<Command>& c
                           const char* const* arguments) {
   CLI::App program{text.description, text.name};
   program.set_version_flag("--version", text.version);
-  program.footer(text.footer);
   program.require_subcommand(1);
   for (const Command& command : commands) {
     CLI::App* added = program.add_subcommand(command.name, command.help);
     for (const Option& option : command.options) add_option(*added, option);
   }
+  program.footer(text.footer);  // of the program alone: subcommands take over what was set before they were added
   try {
     program.parse(argument_count, arguments);
   } catch (const CLI::Success& wish) {  // --help, --version

@@ -2,6 +2,7 @@
 #include "leonhard/delaunay/constrained/domain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -117,11 +118,21 @@ void check(const Pslg& pslg) {
                        std::string(what) + " " + std::to_string(i) + " has the coordinates " + mesh::words(p),
                        "give finite numbers (counted from 0)");
   };
+  const auto check_region = [&](std::size_t i) {
+    const Pslg::Region& region = pslg.regions[i];
+    check_point("region", i, region.seed);
+    if (std::isnan(region.attribute) || std::isnan(region.max_area))
+      throw InputError(pslg.source,
+                       "region " + std::to_string(i) + " at " + mesh::words(region.seed) +
+                           " has the attribute " + mesh::words(region.attribute) + " and the largest area " +
+                           mesh::words(region.max_area),
+                       "give numbers (regions counted from 0), a negative area for no bound");
+  };
   if (n > std::numeric_limits<std::uint32_t>::max() / 8)
     throw InputError(pslg.source, std::to_string(n) + " points are too many", "give at most 536870911");
   for (std::size_t i = 0; i < n; ++i) check_point("point", i, pslg.points[i]);
   for (std::size_t i = 0; i < pslg.holes.size(); ++i) check_point("hole", i, pslg.holes[i]);
-  for (std::size_t i = 0; i < pslg.regions.size(); ++i) check_point("region", i, pslg.regions[i].seed);
+  for (std::size_t i = 0; i < pslg.regions.size(); ++i) check_region(i);
   if (!pslg.point_markers.empty() && pslg.point_markers.size() != n)
     throw InputError(
         pslg.source,

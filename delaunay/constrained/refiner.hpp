@@ -12,6 +12,7 @@
 #include "leonhard/delaunay/plane/triangle_bounds.hpp"
 #include "leonhard/delaunay/refine_options.hpp"
 #include "leonhard/delaunay/topology/cavity.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 

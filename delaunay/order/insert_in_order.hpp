@@ -9,6 +9,7 @@
 
 #include "leonhard/delaunay/order/insertion_order.hpp"
 #include "leonhard/delaunay/point_triangulation.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 

@@ -5,6 +5,7 @@
 
 #include "leonhard/delaunay/algorithm.hpp"
 #include "leonhard/delaunay/order/sorted_points.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 

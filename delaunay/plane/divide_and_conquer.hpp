@@ -4,6 +4,7 @@
 #include <span>
 
 #include "leonhard/delaunay/point_triangulation.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 

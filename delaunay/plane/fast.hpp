@@ -5,6 +5,7 @@
 
 #include "leonhard/delaunay/order/cut_order.hpp"
 #include "leonhard/delaunay/point_triangulation.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 

@@ -5,6 +5,7 @@
 
 #include "leonhard/delaunay/order/sorted_points.hpp"
 #include "leonhard/delaunay/topology/ghost_triangulation.hpp"
+#include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::delaunay {

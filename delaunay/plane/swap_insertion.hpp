@@ -9,6 +9,7 @@
 #include "leonhard/delaunay/topology/conflict.hpp"
 #include "leonhard/delaunay/topology/ghost_triangulation.hpp"
 #include "leonhard/delaunay/topology/locate.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 

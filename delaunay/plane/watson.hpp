@@ -7,6 +7,7 @@
 
 #include "leonhard/delaunay/order/insert_in_order.hpp"
 #include "leonhard/delaunay/point_triangulation.hpp"
+#include "leonhard/kernel/point.hpp"
 
 namespace leonhard::delaunay {
 

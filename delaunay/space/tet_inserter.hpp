@@ -9,6 +9,7 @@
 #include "leonhard/delaunay/support/scratch_stack.hpp"
 #include "leonhard/delaunay/topology/locate.hpp"
 #include "leonhard/delaunay/topology/tet_arena.hpp"
+#include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/id.hpp"
 
 namespace leonhard::delaunay {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
 namespace leonhard::delaunay {
@@ -38,6 +39,7 @@ class ConstraintSet {
 /// it gives none.
 template <class Ask>
 auto first_of_interior_edges(const TriangleMesh& mesh, const Ask& ask) -> decltype(ask(TrianglePair{})) {
+  mesh::require_ids_in_range(mesh);
   const ConstraintSet constraints(mesh);
   for (const TriangleId t : mesh.corners.ids()) {
     for (std::size_t i = 0; i < 3; ++i) {

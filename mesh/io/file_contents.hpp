@@ -28,22 +28,18 @@ struct CellField {
   friend bool operator==(const CellField&, const CellField&) = default;
 };
 
-/// What a mesh reader returns: a mesh that passes `mesh::validate`, and in words what had to be decided on
-/// the way (quadrilaterals split, clockwise cells turned, ...).
-struct MeshFile {
-  TriangleMesh mesh;
+/// What a mesh reader returns: a mesh that passes `mesh::validate` and `mesh::validate_embedding`, and in words what had
+/// to be decided on the way (quadrilaterals split, clockwise or inverted cells turned over, boundary facets without a
+/// marker, ...).
+template <int Dim>
+struct SimplexMeshFile {
+  SimplexMesh<Dim> mesh;
   std::vector<std::string> warnings;
   std::vector<PointField> point_fields;  ///< in the file's order, as long as the mesh has vertices
   std::vector<CellField> cell_fields;    ///< likewise; both halves of a split quadrilateral have its values
 };
 
-/// What a reader of tetrahedral meshes returns: a mesh that passes `mesh::validate` and `mesh::validate_embedding`, and
-/// in words what had to be decided on the way (tetrahedra turned over, boundary faces without a marker, ...).
-struct TetMeshFile {
-  TetMesh mesh;
-  std::vector<std::string> warnings;
-  std::vector<PointField> point_fields;  ///< in the file's order, as long as the mesh has vertices
-  std::vector<CellField> cell_fields;
-};
+using MeshFile = SimplexMeshFile<2>;
+using TetMeshFile = SimplexMeshFile<3>;
 
 }  // namespace leonhard

@@ -35,7 +35,7 @@ const std::vector<std::string>& point3_extensions() {
 
 Points3File parse_node3(std::string_view text, const std::string& source) {
   TextScanner scan(text, source, triangle_syntax);
-  VertexTable3 table = read_vertices3(scan);
+  VertexTable<Point3> table = read_vertices<Point3>(scan);
   expect_end(scan, "the last vertex");
   if (table.points.empty()) scan.fail("the file declares 0 vertices", "give at least one point");
   return {std::move(static_cast<PointSet3&>(table)), {}};

@@ -19,7 +19,7 @@ const std::vector<std::string>& point_extensions() {
 
 PointsFile parse_node(std::string_view text, const std::string& source) {
   TextScanner scan(text, source, triangle_syntax);
-  VertexTable table = read_vertices(scan);
+  VertexTable<Point2> table = read_vertices<Point2>(scan);
   expect_end(scan, "the last vertex");
   if (table.points.empty()) scan.fail("the file declares 0 vertices", "give at least one point");
   return {std::move(static_cast<PointSet&>(table)), {}};

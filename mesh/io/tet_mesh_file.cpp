@@ -2,6 +2,7 @@
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
 #include "leonhard/mesh/io/formats/medit.hpp"
@@ -29,6 +30,7 @@ TetMeshFile read_tet_mesh(const std::filesystem::path& path) {
 void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh,
                     const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
   const std::string extension = known_extension(path, tet_mesh_extensions(), "tetrahedral mesh");
+  mesh::require_ids_in_range(mesh);
   if (extension == ".vtu") return write_vtu(path, mesh, point_fields, cell_fields);
   if (extension == ".msh") return write_gmsh(path, mesh, {}, point_fields, cell_fields);
   if (!point_fields.empty() || !cell_fields.empty())

@@ -64,7 +64,7 @@ void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
                                      const std::vector<CellField>& cell_fields = {});
 
 /// Read a .vtu of one piece whose cells are tetrahedra; triangles are marked faces, lines and points are left out. Files
-/// by other programs: a boundary face without a triangle cell gets a marker (see tet_soup.hpp), and triangles take theirs
+/// by other programs: a boundary face without a triangle cell gets a marker (see mesh_soup.hpp), and triangles take theirs
 /// from the first of the cell arrays marker, gmsh:physical, medit:ref, CellEntityIds that there is.
 ///
 /// throws InputError: as read_vtu; other cells (hexahedra, prisms and pyramids by name), and as read_tet_mesh

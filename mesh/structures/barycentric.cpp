@@ -32,7 +32,7 @@ Number determinant(const Rows<Number>& r, std::size_t m, const Minus& minus) {
 
 /// Corners of a simplex of dimension m = count - 1 in a space of d axes, and a point strictly inside it.
 template <std::size_t d>
-struct Simplex {
+struct PlacedSimplex {
   std::size_t count;
   std::array<std::array<double, d>, d + 1> corners;
   std::array<double, d> p;
@@ -77,7 +77,7 @@ struct Simplex {
 /// Error bound. The determinants' errors are at most 8u times their terms' sizes (predicates3.hpp), so if these add up to
 /// no more than 2^8 times the sum of the determinants, a quotient is off by less than 2^-53 2^3 2^8 2 = 2^-41.
 template <std::size_t d>
-bool weigh_in_doubles(const Simplex<d>& simplex, const std::array<std::size_t, 3>& axes,
+bool weigh_in_doubles(const PlacedSimplex<d>& simplex, const std::array<std::size_t, 3>& axes,
                       std::array<double, d + 1>& weights) {
   double sum = 0, sizes = 0;
   for (std::size_t i = 0; i < simplex.count; ++i) {
@@ -96,7 +96,7 @@ bool weigh_in_doubles(const Simplex<d>& simplex, const std::array<std::size_t, 3
 
 /// The same without error but for the last rounding; false if the projection is of no volume.
 template <std::size_t d>
-bool weigh_exactly(const Simplex<d>& simplex, const std::array<std::size_t, 3>& axes,
+bool weigh_exactly(const PlacedSimplex<d>& simplex, const std::array<std::size_t, 3>& axes,
                    std::array<double, d + 1>& weights) {
   std::array<mpq_class, d + 1> exact;
   mpq_class sum = 0;
@@ -114,7 +114,7 @@ template <class Point, std::size_t N>
 VertexWeights<N> weights_of(const PerId<VertexId, Point>& points,
                             const std::array<MaybeId<VertexId>, N>& span, const Point& p) {
   VertexWeights<N> result;
-  Simplex<N - 1> simplex{0, {}, coordinates(p)};
+  PlacedSimplex<N - 1> simplex{0, {}, coordinates(p)};
   for (const MaybeId<VertexId> v : span) {
     if (!v) break;
     result.vertices[simplex.count] = *v;

@@ -85,7 +85,12 @@ template <class FacetId, std::size_t count>
   if (low + 1 >= first.size()) return {};
   const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first[low]);
   const auto end = corners.begin() + static_cast<std::ptrdiff_t>(first[low + 1]);
-  const auto at = std::lower_bound(begin, end, ascending);
+  const auto at = std::partition_point(begin, end, [&](const auto& facet) {
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+      if (facet[i] != ascending[i]) return facet[i] < ascending[i];
+    }
+    return facet[count - 1] < ascending[count - 1];
+  });
   if (at == end || *at != ascending) return {};
   return FacetId::from(static_cast<std::size_t>(at - corners.begin()));
 }

@@ -50,6 +50,19 @@ TEST_CASE("mesh_makes_a_sound_mesh_that_check_convert_and_draw_can_read") {
   }
 }
 
+TEST_CASE("convert_keeps_fields_where_the_format_has_a_place_and_says_what_it_leaves_out") {
+  const ScratchFolder scratch;
+  scratch.write("frame.poly", frame);
+  REQUIRE(run("mesh frame.poly --size 0.5 -o frame.su2", scratch.path()).exit_code == 0);
+  REQUIRE(run("partition frame.su2 -k 3 --of vertices -o parts.vtu", scratch.path()).exit_code == 0);
+  CHECK(run("convert parts.vtu parts.msh", scratch.path()).err.find("left out") == std::string::npos);
+  CHECK(run("convert parts.msh back.vtu", scratch.path()).exit_code == 0);
+  CHECK(run("draw back.vtu --field part -o part.png", scratch.path()).exit_code == 0);
+  const auto plain = run("convert parts.vtu plain.su2", scratch.path());
+  CHECK(plain.exit_code == 0);
+  CHECK(plain.err.find("1 field was left out: .su2 files carry none") != std::string::npos);
+}
+
 TEST_CASE("regress_a_graph_is_meshed_without_any_size") {
   const ScratchFolder scratch;
   scratch.write("frame.poly", frame);

@@ -104,17 +104,17 @@ TEST_CASE("what_is_nearly_in_a_subspace_becomes_orthogonal_to_it_to_rounding") {
   std::mt19937_64 random(4);
   std::vector<std::vector<double>> basis;
   for (int k = 0; k < 3; ++k) {
-    basis.push_back(detail::random_vector(200, random));
-    REQUIRE(detail::orthonormalise(basis.back(), std::span(basis).first(basis.size() - 1)));
+    basis.push_back(graph::detail::random_vector(200, random));
+    REQUIRE(graph::detail::orthonormalise(basis.back(), std::span(basis).first(basis.size() - 1)));
   }
-  std::vector<double> x = detail::random_vector(200, random);
-  detail::scale(x, 1e-9);
-  for (const std::vector<double>& v : basis) detail::add_scaled(x, 3, v);
-  CHECK(detail::orthonormalise(x, basis));
-  for (const std::vector<double>& v : basis) CHECK(std::abs(detail::dot(x, v)) < 1e-14);
-  CHECK(detail::norm(x) == doctest::Approx(1).epsilon(1e-14));
+  std::vector<double> x = graph::detail::random_vector(200, random);
+  graph::detail::scale(x, 1e-9);
+  for (const std::vector<double>& v : basis) graph::detail::add_scaled(x, 3, v);
+  CHECK(graph::detail::orthonormalise(x, basis));
+  for (const std::vector<double>& v : basis) CHECK(std::abs(graph::detail::dot(x, v)) < 1e-14);
+  CHECK(graph::detail::norm(x) == doctest::Approx(1).epsilon(1e-14));
   std::vector<double> within = basis[1];
-  CHECK_FALSE(detail::orthonormalise(within, basis));
+  CHECK_FALSE(graph::detail::orthonormalise(within, basis));
 }
 
 TEST_CASE("hubs_and_trees_do_not_break_the_cycle") {

@@ -47,7 +47,7 @@ TEST_CASE("minimum_degree_under_a_constraint_keeps_the_sequence_of_sets") {
   const CsrGraph graph = random_mesh_graph(12, 12, 3);
   std::vector<std::uint32_t> set_of(vertex_count(graph));
   for (std::uint32_t v = 0; v < set_of.size(); ++v) set_of[v] = v * 7 % 4;
-  const auto order = detail::constrained_minimum_degree(graph, set_of);
+  const auto order = graph::detail::constrained_minimum_degree(graph, set_of);
   CHECK(is_permutation_of_all(graph, order));
   CHECK(std::ranges::is_sorted(order, {}, [&](std::uint32_t v) { return set_of[v]; }));
 }

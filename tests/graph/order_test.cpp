@@ -140,7 +140,7 @@ std::vector<std::uint32_t> king_by_counting(const CsrGraph& graph, std::uint32_t
     std::ranges::copy_if(front, std::back_inserter(candidates),
                          [&](std::uint32_t v) { return level_of[v] == level; });
     if (candidates.empty()) {
-      const std::vector<std::uint32_t> all = detail::vertices_by_degree(graph);
+      const std::vector<std::uint32_t> all = graph::detail::vertices_by_degree(graph);
       candidates.push_back(*std::ranges::find_if(
           all, [&](std::uint32_t v) { return reached[v] == 0 && level_of[v] == level; }));
       reached[candidates.front()] = 1;
@@ -160,10 +160,10 @@ std::vector<std::uint32_t> king_by_counting(const CsrGraph& graph, std::uint32_t
 std::vector<std::uint32_t> sloan_by_counting(const CsrGraph& graph, SloanWeights weights) {
   const std::uint32_t n = vertex_count(graph);
   const Progress none;
-  detail::StepCounter steps(none, "", 1);
-  detail::LevelSearch search(graph);
-  const detail::PseudoDiameter ends =
-      detail::pseudo_diameter(graph, search, detail::vertices_by_degree(graph).front(), steps);
+  graph::detail::StepCounter steps(none, "", 1);
+  graph::detail::LevelSearch search(graph);
+  const graph::detail::PseudoDiameter ends =
+      graph::detail::pseudo_diameter(graph, search, graph::detail::vertices_by_degree(graph).front(), steps);
   std::vector<std::uint32_t> distance(n), order;
   search(ends.to);
   search.write_levels(distance);
@@ -188,7 +188,7 @@ std::vector<std::uint32_t> sloan_by_counting(const CsrGraph& graph, SloanWeights
     numbered[*best] = in_front[*best] = 1;
     for (const std::uint32_t w : neighbours(graph, *best)) in_front[w] = 1;
   }
-  return detail::better_direction(graph, order);
+  return graph::detail::better_direction(graph, order);
 }
 
 }  // namespace
@@ -199,15 +199,15 @@ TEST_CASE("king_follows_his_rule_at_every_step_and_takes_the_better_end") {
     const CsrGraph graph = renamed(random_mesh_graph(7, 11, seed), random_order(96, seed));
     const Progress none;
     for (const std::uint32_t root : {0U, 17U, 95U}) {
-      detail::StepCounter steps(none, "", 1);
-      CHECK(detail::king_numbering(graph, root, {}, steps) == king_by_counting(graph, root));
+      graph::detail::StepCounter steps(none, "", 1);
+      CHECK(graph::detail::king_numbering(graph, root, {}, steps) == king_by_counting(graph, root));
     }
-    detail::StepCounter steps(none, "", 1);
-    detail::LevelSearch search(graph);
-    const detail::PseudoDiameter ends =
-        detail::pseudo_diameter(graph, search, detail::vertices_by_degree(graph).front(), steps);
-    const auto from = envelope(graph, detail::better_direction(graph, king_by_counting(graph, ends.from)));
-    const auto to = envelope(graph, detail::better_direction(graph, king_by_counting(graph, ends.to)));
+    graph::detail::StepCounter steps(none, "", 1);
+    graph::detail::LevelSearch search(graph);
+    const graph::detail::PseudoDiameter ends =
+        graph::detail::pseudo_diameter(graph, search, graph::detail::vertices_by_degree(graph).front(), steps);
+    const auto from = envelope(graph, graph::detail::better_direction(graph, king_by_counting(graph, ends.from)));
+    const auto to = envelope(graph, graph::detail::better_direction(graph, king_by_counting(graph, ends.to)));
     CHECK(envelope(graph, king(graph)) == std::min(from, to));
     first_is_better = first_is_better || from < to;
     second_is_better = second_is_better || to < from;
@@ -242,8 +242,8 @@ TEST_CASE("level_methods_number_one_level_after_another") {
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
     const CsrGraph graph = renamed(random_mesh_graph(12, 19, seed), random_order(260, seed));
     const Progress none;
-    detail::StepCounter steps(none, "", 1);
-    const detail::CombinedLevels levels = detail::combined_levels(graph, steps);
+    graph::detail::StepCounter steps(none, "", 1);
+    const graph::detail::CombinedLevels levels = graph::detail::combined_levels(graph, steps);
     for (const std::vector<std::uint32_t>& order : {gibbs_poole_stockmeyer(graph), gibbs_king(graph)}) {
       std::vector<std::uint32_t> sequence;
       for (const std::uint32_t v : order) sequence.push_back(levels.level_of[v]);
@@ -251,7 +251,7 @@ TEST_CASE("level_methods_number_one_level_after_another") {
       CHECK(std::ranges::is_sorted(sequence));
     }
     CHECK(gibbs_king(graph) ==
-          detail::better_direction(graph, king_by_counting(graph, levels.root, levels.level_of)));
+          graph::detail::better_direction(graph, king_by_counting(graph, levels.root, levels.level_of)));
   }
 }
 

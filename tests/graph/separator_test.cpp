@@ -32,7 +32,7 @@ std::array<std::uint32_t, 3> sizes_of(const CsrGraph& graph, const VertexSeparat
   return sizes;
 }
 
-bool separates(const CsrGraph& graph, const detail::Sides& side) {
+bool separates(const CsrGraph& graph, const graph::detail::Sides& side) {
   for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
     for (const std::uint32_t w : neighbours(graph, v))
       if (side[v] + side[w] == 1) return false;
@@ -40,21 +40,21 @@ bool separates(const CsrGraph& graph, const detail::Sides& side) {
 }
 
 /// Random sides; what of side 1 is next to side 0 is the separator.
-detail::Sides random_separator(const CsrGraph& graph, std::mt19937_64& random) {
-  detail::Sides side;
+graph::detail::Sides random_separator(const CsrGraph& graph, std::mt19937_64& random) {
+  graph::detail::Sides side;
   for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
     side.push_back(static_cast<std::uint32_t>(random() % 2));
   for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
     if (side[v] == 1 && std::ranges::any_of(neighbours(graph, v), [&](auto w) { return side[w] == 0; }))
-      side[v] = detail::middle;
+      side[v] = graph::detail::middle;
   return side;
 }
 
-detail::KwayGraph randomly_weighted(const CsrGraph& graph, std::mt19937_64& random) {
+graph::detail::KwayGraph randomly_weighted(const CsrGraph& graph, std::mt19937_64& random) {
   std::vector<std::uint32_t> weights;
   for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
     weights.push_back(static_cast<std::uint32_t>(1 + random() % 5));
-  return detail::weighted_graph(graph, weights, {});
+  return graph::detail::weighted_graph(graph, weights, {});
 }
 
 }  // namespace
@@ -92,17 +92,17 @@ TEST_CASE("refined_separators_still_separate_and_are_never_worse") {
     CAPTURE(seed);
     std::mt19937_64 random(seed);
     const CsrGraph graph = seed % 2 == 0 ? random_mesh_graph(9, 8, seed) : random_graph(40, 20, seed);
-    const detail::KwayGraph weighted = randomly_weighted(graph, random);
+    const graph::detail::KwayGraph weighted = randomly_weighted(graph, random);
     const std::int64_t limit = weighted.total_weight * 6 / 10;
-    detail::Sides side = random_separator(graph, random);
-    auto before = detail::quality_of(detail::weights_of(weighted, side), limit);
-    const auto reported = detail::SeparatorFm(weighted, limit).refine(side);
-    auto after = detail::quality_of(detail::weights_of(weighted, side), limit);
+    graph::detail::Sides side = random_separator(graph, random);
+    auto before = graph::detail::quality_of(graph::detail::weights_of(weighted, side), limit);
+    const auto reported = graph::detail::SeparatorFm(weighted, limit).refine(side);
+    auto after = graph::detail::quality_of(graph::detail::weights_of(weighted, side), limit);
     CHECK(separates(graph, side));
     CHECK(after == reported);
     CHECK(after <= before);
-    const bool better = detail::SeparatorFlow(weighted, limit).improve(side, 3);
-    before = std::exchange(after, detail::quality_of(detail::weights_of(weighted, side), limit));
+    const bool better = graph::detail::SeparatorFlow(weighted, limit).improve(side, 3);
+    before = std::exchange(after, graph::detail::quality_of(graph::detail::weights_of(weighted, side), limit));
     CHECK(separates(graph, side));
     CHECK(better == (after < before));
     CHECK(after <= before);
@@ -112,19 +112,19 @@ TEST_CASE("refined_separators_still_separate_and_are_never_worse") {
 TEST_CASE("a_flow_straightens_a_separator_at_once") {
   const std::uint32_t width = 9, height = 80;
   const CsrGraph graph = grid(width, height);
-  detail::Sides side(width * height);
+  graph::detail::Sides side(width * height);
   for (std::uint32_t j = 0; j < height; ++j)  // a slope of two rows a column: 17 vertices
     for (std::uint32_t i = 0; i < width; ++i) {
       const std::uint32_t last = 30 + 2 * i;
       const std::uint32_t thick = i + 1 < width ? 2 : 1;
-      side[j * width + i] = j < last ? 0 : j < last + thick ? detail::middle : 1;
+      side[j * width + i] = j < last ? 0 : j < last + thick ? graph::detail::middle : 1;
     }
   REQUIRE(separates(graph, side));
-  const detail::KwayGraph weighted = detail::weighted_graph(graph, {}, {});
-  REQUIRE(detail::weights_of(weighted, side)[detail::middle] == 17);
-  CHECK(detail::SeparatorFlow(weighted, 460).improve(side, 20));
+  const graph::detail::KwayGraph weighted = graph::detail::weighted_graph(graph, {}, {});
+  REQUIRE(graph::detail::weights_of(weighted, side)[graph::detail::middle] == 17);
+  CHECK(graph::detail::SeparatorFlow(weighted, 460).improve(side, 20));
   CHECK(separates(graph, side));
-  CHECK(detail::weights_of(weighted, side)[detail::middle] == width);
+  CHECK(graph::detail::weights_of(weighted, side)[graph::detail::middle] == width);
 }
 
 TEST_CASE("a_flow_finds_the_lightest_vertex_of_a_path") {
@@ -134,19 +134,19 @@ TEST_CASE("a_flow_finds_the_lightest_vertex_of_a_path") {
     std::vector<std::uint32_t> weights;
     for (std::uint32_t v = 0; v < n; ++v) weights.push_back(static_cast<std::uint32_t>(5 + random() % 50));
     weights[0] = weights[n - 1] = 100;  // an end separates nothing
-    const detail::KwayGraph weighted = detail::weighted_graph(path(n), weights, {});
-    detail::Sides side(n, 0);
-    side[n / 2] = detail::middle;
+    const graph::detail::KwayGraph weighted = graph::detail::weighted_graph(path(n), weights, {});
+    graph::detail::Sides side(n, 0);
+    side[n / 2] = graph::detail::middle;
     std::fill(side.begin() + n / 2 + 1, side.end(), 1);
-    detail::SeparatorFlow(weighted, weighted.total_weight).improve(side, 1000);
+    graph::detail::SeparatorFlow(weighted, weighted.total_weight).improve(side, 1000);
     CHECK(separates(path(n), side));
-    CHECK(detail::weights_of(weighted, side)[detail::middle] == *std::ranges::min_element(weights));
+    CHECK(graph::detail::weights_of(weighted, side)[graph::detail::middle] == *std::ranges::min_element(weights));
   }
 }
 
 TEST_CASE("the_partitioner_s_graphs_know_their_components") {
   const CsrGraph graph = disjoint_union({path(3), cycle(5), path(1), star(4)});
-  const detail::KwayComponents found = detail::components(detail::weighted_graph(graph, {}, {}));
+  const graph::detail::KwayComponents found = graph::detail::components(graph::detail::weighted_graph(graph, {}, {}));
   CHECK(found.count == 4);
   CHECK(found.component_of == std::vector<std::uint32_t>{0, 0, 0, 1, 1, 1, 1, 1, 2, 3, 3, 3, 3});
 }

@@ -44,37 +44,7 @@ MarkedFace face(IdRaw a, IdRaw b, IdRaw c, Marker marker = 1) {
   return {{VertexId{a}, VertexId{b}, VertexId{c}}, marker};
 }
 
-std::size_t common_corners(const std::array<VertexId, 4>& s, const std::array<VertexId, 4>& t) {
-  std::size_t count = 0;
-  for (const VertexId v : s) count += static_cast<std::size_t>(std::count(t.begin(), t.end(), v));
-  return count;
-}
-
 }  // namespace
-
-TEST_CASE("tet_neighbours_on_the_shelf_are_those_of_brute_force_across_the_face_opposite_the_corner") {
-  for (const auto& entry : tet_shelf::all()) {
-    const TetMesh& mesh = entry.mesh;
-    CAPTURE(entry.name);
-    const bool small = mesh.tet_count() < 700;
-    for (const TetId t : mesh.corners.ids()) {
-      std::size_t found = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const auto n = mesh.neighbours[t][i];
-        if (!n) continue;
-        ++found;
-        REQUIRE(common_corners(mesh.corners[t], mesh.corners[*n]) == 3);
-        REQUIRE(std::count(mesh.corners[*n].begin(), mesh.corners[*n].end(), mesh.corners[t][i]) == 0);
-        const auto& back = mesh.neighbours[*n];
-        REQUIRE(std::count(back.begin(), back.end(), MaybeId<TetId>(t)) == 1);
-      }
-      if (!small) continue;
-      std::size_t expected = 0;
-      for (const auto& other : mesh.corners) expected += common_corners(mesh.corners[t], other) == 3;
-      REQUIRE(found == expected);
-    }
-  }
-}
 
 TEST_CASE("boundary_faces_are_those_of_one_tetrahedron_and_point_outwards") {
   for (const auto& entry : tet_shelf::all()) {
@@ -203,16 +173,4 @@ TEST_CASE("make_tet_mesh_refuses_bad_input_and_names_it") {
     faces.back() = face(1, 1, 3, 3);
     contains(refusal(points, two, faces), "is no boundary face of the mesh");
   }
-}
-
-TEST_CASE("build_neighbours_of_tetrahedra_leaves_the_mesh_alone_when_it_refuses") {
-  auto mesh = tet_shelf::box(2, 1, 1);
-  const auto before = mesh.neighbours;
-  std::swap(mesh.corners[TetId{3}][0], mesh.corners[TetId{3}][1]);
-  CHECK_THROWS_AS(mesh::build_neighbours(mesh), InputError);
-  CHECK(mesh.neighbours == before);
-  std::swap(mesh.corners[TetId{3}][0], mesh.corners[TetId{3}][1]);
-  mesh.neighbours.clear();
-  mesh::build_neighbours(mesh);
-  CHECK(mesh.neighbours == before);
 }

@@ -3,12 +3,16 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/validate.hpp"
-#include "tests/mesh/shelf.hpp"
+#include "tests/mesh/shelves.hpp"
 
 using namespace leonhard;
 
@@ -35,27 +39,49 @@ bool contains(const std::string& text, const std::string& part) {
 const std::vector<Point2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 const std::vector<shelf::Corners> halves{{0, 1, 2}, {0, 2, 3}};
 
+template <std::size_t N>
+std::size_t common_corners(const std::array<VertexId, N>& s, const std::array<VertexId, N>& t) {
+  std::size_t count = 0;
+  for (const VertexId v : s) count += static_cast<std::size_t>(std::count(t.begin(), t.end(), v));
+  return count;
+}
+
 }  // namespace
 
-TEST_CASE("neighbours_of_every_mesh_on_the_shelf_share_two_corners_and_point_back") {
-  for (const shelf::Entry& entry : shelf::all()) {
-    const TriangleMesh& mesh = entry.mesh;
+TEST_CASE_TEMPLATE("neighbours_on_the_shelf_are_those_of_brute_force_across_the_facet_opposite_the_corner",
+                   Mesh, TriangleMesh, TetMesh) {
+  using Corners = typename Mesh::CellCorners;
+  constexpr std::size_t corner_count = std::tuple_size_v<Corners>;
+  for (const auto& entry : shelves::all<Mesh>()) {
+    const Mesh& mesh = entry.mesh;
     CAPTURE(entry.name);
+    const bool small = mesh.cell_count() < 700;
     std::size_t lone_sides = 0;
-    for (const TriangleId t : mesh.corners.ids()) {
-      for (std::size_t i = 0; i < 3; ++i) {
+    for (const auto t : mesh.corners.ids()) {
+      std::size_t found = 0;
+      for (std::size_t i = 0; i < corner_count; ++i) {
         const auto n = mesh.neighbours[t][i];
-        if (!n) {
-          ++lone_sides;
-          continue;
-        }
+        lone_sides += !n;
+        if (!n) continue;
+        ++found;
+        const Corners& other = mesh.corners[*n];
+        REQUIRE(common_corners(mesh.corners[t], other) == corner_count - 1);
+        REQUIRE(std::count(other.begin(), other.end(), mesh.corners[t][i]) == 0);
         const auto& back = mesh.neighbours[*n];
-        const auto j = static_cast<std::size_t>(std::find(back.begin(), back.end(), MaybeId<TriangleId>(t)) -
-                                                back.begin());
-        REQUIRE(j < 3);
-        CHECK(mesh.corners[t][(i + 1) % 3] == mesh.corners[*n][(j + 2) % 3]);
-        CHECK(mesh.corners[t][(i + 2) % 3] == mesh.corners[*n][(j + 1) % 3]);
+        REQUIRE(std::count(back.begin(), back.end(), MaybeId(t)) == 1);
+        const auto j =
+            static_cast<std::size_t>(std::find(back.begin(), back.end(), MaybeId(t)) - back.begin());
+        REQUIRE(std::count(mesh.corners[t].begin(), mesh.corners[t].end(), other[j]) == 0);
+        if constexpr (shelves::is_plane<Mesh>) {
+          CHECK(mesh.corners[t][(i + 1) % 3] == other[(j + 2) % 3]);
+          CHECK(mesh.corners[t][(i + 2) % 3] == other[(j + 1) % 3]);
+        }
       }
+      if (!small) continue;
+      std::size_t expected = 0;
+      for (const Corners& other : mesh.corners)
+        expected += common_corners(mesh.corners[t], other) == corner_count - 1;
+      REQUIRE(found == expected);
     }
     CHECK(lone_sides == mesh.boundary.size());
   }
@@ -146,13 +172,14 @@ TEST_CASE("make_triangle_mesh_refuses_bad_input_and_names_it") {
   }
 }
 
-TEST_CASE("build_neighbours_leaves_the_mesh_alone_when_it_refuses") {
-  auto mesh = shelf::grid(2, 2);
+TEST_CASE_TEMPLATE("build_neighbours_leaves_the_mesh_alone_when_it_refuses", Mesh, TriangleMesh, TetMesh) {
+  auto mesh = shelves::regular<Mesh>(2);
   const auto before = mesh.neighbours;
-  std::swap(mesh.corners[TriangleId{3}][0], mesh.corners[TriangleId{3}][1]);
+  auto& corners = mesh.corners.flat()[3];
+  std::swap(corners[0], corners[1]);
   CHECK_THROWS_AS(mesh::build_neighbours(mesh), InputError);
   CHECK(mesh.neighbours == before);
-  std::swap(mesh.corners[TriangleId{3}][0], mesh.corners[TriangleId{3}][1]);
+  std::swap(corners[0], corners[1]);
   mesh.neighbours.clear();
   mesh::build_neighbours(mesh);
   CHECK(mesh.neighbours == before);

@@ -3,116 +3,129 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
-#include "tests/mesh/shelf.hpp"
+#include "tests/mesh/shelves.hpp"
 
 using namespace leonhard;
 
 namespace {
 
 /// One way to break a mesh, and what the validator's words must hold.
+template <class Mesh>
 struct Mutation {
   std::string name;
-  std::function<void(TriangleMesh&)> apply;
+  std::function<void(Mesh&)> apply;
   std::vector<std::string> words;
 };
 
-const TriangleId first{0};
+void turn_first_corners(MarkedEdge& edge) { std::swap(edge.from, edge.to); }
+void turn_first_corners(MarkedFace& face) { std::swap(face.corners[0], face.corners[1]); }
 
-/// Every mesh of the shelf can be broken in these ways.
-std::vector<Mutation> mutations() {
+/// Every mesh of the shelves can be broken in these ways.
+template <class Mesh>
+std::vector<Mutation<Mesh>> mutations() {
+  constexpr bool plane = shelves::is_plane<Mesh>;
+  using Kind = shelves::Kind<Mesh>;
+  using CellId = typename Mesh::CellId;
+  static constexpr CellId first{0};
+  const std::string cell = Kind::cell, cells = Kind::cells, facet = Kind::facet, cell_0 = cell + " 0",
+                    inner = plane ? "constraints" : "interfaces";
+  const auto facet_of = [](IdRaw a, IdRaw b, Marker marker) {
+    typename Mesh::FacetCorners corners{};
+    corners[0] = VertexId{a};
+    corners[1] = VertexId{b};
+    return Kind::marked(corners, marker);
+  };
   return {
-      {"neighbours too short",
-       [](TriangleMesh& m) { m.neighbours.flat().pop_back(); },
-       {"neighbours has", "triangles"}},
-      {"regions too long", [](TriangleMesh& m) { m.regions.push_back(1); }, {"regions has", "triangles"}},
-      {"vertex markers missing",
-       [](TriangleMesh& m) { m.vertex_markers.clear(); },
-       {"vertex_markers has 0 entries"}},
+      {"neighbours too short", [](Mesh& m) { m.neighbours.flat().pop_back(); }, {"neighbours has", cells}},
+      {"neighbours too long", [](Mesh& m) { m.neighbours.push_back({}); }, {"neighbours has", cells}},
+      {"regions too short", [](Mesh& m) { m.regions.flat().pop_back(); }, {"regions has", cells}},
+      {"regions too long", [](Mesh& m) { m.regions.push_back(1); }, {"regions has", cells}},
+      {"vertex markers missing", [](Mesh& m) { m.vertex_markers.clear(); }, {"vertex_markers has 0 entries"}},
       {"a coordinate infinite",
-       [](TriangleMesh& m) { m.points[VertexId{1}].x = std::numeric_limits<double>::infinity(); },
-       {"vertex 1 at (inf", "no finite number"}},
+       [](Mesh& m) { m.points[VertexId{1}].y = std::numeric_limits<double>::infinity(); },
+       {"vertex 1 at (", "inf", "no finite number"}},
       {"a corner out of range",
-       [](TriangleMesh& m) { m.corners[first][2] = VertexId{123456}; },
-       {"vertex 123456 of triangle 0", "does not exist"}},
-      {"a corner twice",
-       [](TriangleMesh& m) { m.corners[first][2] = m.corners[first][0]; },
-       {"triangle 0", "twice"}},
-      {"a triangle turned over",
-       [](TriangleMesh& m) { std::swap(m.corners[first][1], m.corners[first][2]); },
-       {"triangle 0", "clockwise"}},
-      {"a triangle flattened",
-       [](TriangleMesh& m) { m.points[m.corners[first][2]] = m.points[m.corners[first][0]]; },
-       {"area"}},
+       [](Mesh& m) { m.corners[first][2] = VertexId{123456}; },
+       {"vertex 123456 of " + cell_0, "does not exist"}},
+      {"a corner twice", [](Mesh& m) { m.corners[first].back() = m.corners[first][0]; }, {cell_0, "twice"}},
+      {"a cell turned over",
+       [](Mesh& m) { std::swap(m.corners[first][1], m.corners[first][2]); },
+       {cell_0, plane ? "clockwise" : "turned over"}},
+      {"a cell flattened",
+       [](Mesh& m) { m.points[m.corners[first][2]] = m.points[m.corners[first][0]]; },
+       {plane ? "area" : "volume"}},
       {"a vertex unused",
-       [](TriangleMesh& m) {
-         m.points.push_back({50, 60});
+       [](Mesh& m) {
+         typename Mesh::Point far{};
+         far.x = 50;
+         far.y = 60;
+         m.points.push_back(far);
          m.vertex_markers.push_back(0);
        },
-       {"at (50, 60)", "no triangle"}},
-      {"a triangle twice",
-       [](TriangleMesh& m) {
+       {"at (50, 60", "no " + cell}},
+      {"a cell twice",
+       [](Mesh& m) {
          m.corners.push_back(m.corners[first]);
          m.neighbours.push_back({});
          m.regions.push_back(0);
        },
-       {"same vertices as triangle 0"}},
-      {"a triangle rotated, but not its neighbours",
-       [](TriangleMesh& m) {
-         for (const TriangleId t : m.corners.ids()) {
-           const auto& n = m.neighbours[t];
+       {"same vertices as " + cell_0}},
+      {"neighbours in another order",
+       [](Mesh& m) {
+         for (auto& n : m.neighbours) {
            if (n[0] == n[1] && n[1] == n[2]) continue;
-           auto& c = m.corners[t];
-           c = {c[1], c[2], c[0]};
+           std::rotate(n.begin(), n.begin() + 1, n.begin() + 3);
            return;
          }
-         m.neighbours[first][1] = first;  // the single triangle: make it its own neighbour
+         m.neighbours[first][1] = first;  // the single cell: make it its own neighbour
        },
        {"as neighbour"}},
-      {"a neighbour that is no triangle",
-       [](TriangleMesh& m) { m.neighbours[first][1] = TriangleId{99999}; },
-       {"triangle 0", "names triangle 99999"}},
-      {"a boundary edge forgotten",
-       [](TriangleMesh& m) { m.boundary.pop_back(); },
-       {"boundary edge", "no marker"}},
-      {"a boundary edge listed twice",
-       [](TriangleMesh& m) { m.boundary.push_back(m.boundary.front()); },
+      {"a neighbour that is no cell",
+       [](Mesh& m) { m.neighbours[first][1] = CellId{99999}; },
+       {cell_0, "names " + cell + " 99999"}},
+      {"a boundary facet forgotten",
+       [](Mesh& m) { m.boundary.pop_back(); },
+       {"boundary " + facet, "no marker"}},
+      {"a boundary facet listed twice",
+       [](Mesh& m) { m.boundary.push_back(m.boundary.front()); },
        {"already as entry 0"}},
-      {"a boundary edge turned round",
-       [](TriangleMesh& m) { std::swap(m.boundary[1].from, m.boundary[1].to); },
-       {"boundary entry 1", "on its right"}},
-      {"a boundary edge of nowhere",
-       [](TriangleMesh& m) {
-         m.boundary[2] = {VertexId{77777}, VertexId{1}, 5};
-       },
-       {"boundary entry 2", "marker 5", "no boundary edge"}},
-      {"a constraint on the boundary",
-       [](TriangleMesh& m) { m.constraints.push_back(m.boundary.front()); },
-       {"constraints entry 0", "no interior edge"}},
-      {"a constraint of nowhere",
-       [](TriangleMesh& m) {
-         m.constraints.push_back({VertexId{0}, VertexId{88888}, 5});
-       },
-       {"constraints entry 0"}},
+      {"a boundary facet turned round",
+       [](Mesh& m) { turn_first_corners(m.boundary[1]); },
+       {"boundary entry 1", plane ? "on its right" : "points into the mesh"}},
+      {"a boundary facet of nowhere",
+       [=](Mesh& m) { m.boundary[2] = facet_of(77777, 1, 5); },
+       {"boundary entry 2", "marker 5", "no boundary " + facet}},
+      {"an inner facet on the boundary",
+       [](Mesh& m) { m.inner_facets().push_back(m.boundary.front()); },
+       {inner + " entry 0", plane ? "no interior edge" : "between two tetrahedra"}},
+      {"an inner facet of nowhere",
+       [=](Mesh& m) { m.inner_facets().push_back(facet_of(0, 88888, 5)); },
+       {inner + " entry 0"}},
   };
 }
 
 }  // namespace
 
-TEST_CASE("validate_finds_nothing_wrong_on_the_shelf") {
-  for (const shelf::Entry& entry : shelf::all()) {
-    const TriangleMesh& mesh = entry.mesh;
+TEST_CASE_TEMPLATE("validate_finds_nothing_wrong_on_the_shelf", Mesh, TriangleMesh, TetMesh) {
+  for (const auto& entry : shelves::all<Mesh>()) {
     CAPTURE(entry.name);
-    CHECK(mesh::validate(mesh).value_or("") == "");
+    CHECK(mesh::validate(entry.mesh).value_or("") == "");
   }
+  CHECK(mesh::validate(Mesh{}).value_or("") == "");
 }
 
-TEST_CASE("validate_names_each_broken_invariant_on_every_mesh_of_the_shelf") {
-  for (const auto& entry : shelf::all()) {
-    for (const Mutation& mutation : mutations()) {
-      TriangleMesh mesh = entry.mesh;
+TEST_CASE_TEMPLATE("validate_names_each_broken_invariant_on_every_mesh_of_the_shelf", Mesh, TriangleMesh,
+                   TetMesh) {
+  for (const auto& entry : shelves::all<Mesh>()) {
+    for (const auto& mutation : mutations<Mesh>()) {
+      Mesh mesh = entry.mesh;
       mutation.apply(mesh);
       const std::string words = mesh::validate(mesh).value_or("");
       CAPTURE(entry.name);

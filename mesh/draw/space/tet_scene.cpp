@@ -41,16 +41,16 @@ class FaceMarkers {
 };
 
 // A corner before it is seen.
-struct SpaceCorner {
+struct Corner3 {
   Vec3 at;  // turned
   double value{};
   CornerPlace place;
 };
 
 struct Polygon {
-  std::array<SpaceCorner, 4> corners;
+  std::array<Corner3, 4> corners;
   std::uint8_t count = 0;
-  void add(const SpaceCorner& corner) { corners[count++] = corner; }
+  void add(const Corner3& corner) { corners[count++] = corner; }
 };
 
 Vec3 area_vector(const Polygon& p) {
@@ -122,16 +122,16 @@ class Builder {
     const auto& [a, b, c] = tet_face_corners[i];
     return {mesh_.corners[t][a], mesh_.corners[t][b], mesh_.corners[t][c]};
   }
-  [[nodiscard]] SpaceCorner corner(VertexId v) const {
+  [[nodiscard]] Corner3 corner(VertexId v) const {
     return {at_[v], values_.empty() ? 0 : values_[v.index()], {v, v}};
   }
   // Ends ordered by number: all who meet here get the same bits.
-  [[nodiscard]] SpaceCorner crossing(VertexId a, VertexId b) const {
+  [[nodiscard]] Corner3 crossing(VertexId a, VertexId b) const {
     if (beyond_[a] == 0) return corner(a);
     if (beyond_[b] == 0) return corner(b);
     if (b < a) std::swap(a, b);
     const double s = beyond_[a] / (beyond_[a] - beyond_[b]);
-    const SpaceCorner from = corner(a), to = corner(b);
+    const Corner3 from = corner(a), to = corner(b);
     return {from.at + s * (to.at - from.at), from.value + s * (to.value - from.value), {a, b}};
   }
   [[nodiscard]] Polygon whole_face(TetId t, std::size_t i) const {

@@ -16,8 +16,7 @@
 #include "leonhard/mesh/io/formats/gmsh_data.hpp"
 #include "leonhard/mesh/io/formats/gmsh_write.hpp"
 #include "leonhard/mesh/io/formats/whole_regions.hpp"
-#include "leonhard/mesh/io/soup/cell_soup.hpp"
-#include "leonhard/mesh/io/soup/tet_soup.hpp"
+#include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/words.hpp"
 
@@ -131,22 +130,6 @@ std::map<Marker, std::string> marker_names_of(GmshData& data, int dimension) {
 /// Ids are no longer the file's numbers.
 constexpr const char* note = "here vertices are numbered from 0 in the order of the file's nodes";
 
-TetSoup tet_soup_of(GmshData& data, const std::vector<std::size_t>& new_index, const std::string& source) {
-  TetSoup soup;
-  take_fields(data, new_index, {&data.tetrahedra}, soup);
-  soup.source = source;
-  soup.note = note;
-  soup.marker_names = marker_names_of(data, 2);
-  soup.points = PerId<VertexId, Point3>(std::move(data.points));
-  for (const GmshCell& cell : data.tetrahedra) {
-    soup.cells.push_back({cell.corners, cell.line});
-    soup.cell_regions.push_back(cell.group);
-  }
-  for (const GmshCell& face : data.triangles)
-    soup.faces.push_back({{face.corners[0], face.corners[1], face.corners[2]}, face.group, face.line});
-  return soup;
-}
-
 void refuse_points_off_the_plane(const std::vector<Point3>& points, const std::string& source) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].z != points[0].z)
@@ -156,23 +139,30 @@ void refuse_points_off_the_plane(const std::vector<Point3>& points, const std::s
                        "only meshes in a plane z = const can be read as triangle meshes");
 }
 
-CellSoup cell_soup_of(GmshData& data, const std::vector<std::size_t>& new_index, const std::string& source) {
-  CellSoup soup;
-  take_fields(data, new_index, {&data.triangles, &data.quadrilaterals}, soup);
+/// data.points is left to the caller.
+template <int Dim>
+MeshSoup<Dim> soup_of(GmshData& data, const std::vector<std::size_t>& new_index, const std::string& source) {
+  MeshSoup<Dim> soup;
+  if constexpr (Dim == 2) {
+    take_fields(data, new_index, {&data.triangles, &data.quadrilaterals}, soup);
+  } else {
+    take_fields(data, new_index, {&data.tetrahedra}, soup);
+  }
   soup.source = source;
   soup.note = note;
-  soup.marker_names = marker_names_of(data, 1);
-  for (const Point3& p : data.points) soup.points.push_back({p.x, p.y});
-  const auto add = [&](const std::vector<GmshCell>& cells, std::uint32_t corners) {
+  soup.marker_names = marker_names_of(data, Dim - 1);
+  const auto add_cells = [&](const std::vector<GmshCell>& cells, std::uint32_t corners) {
     for (const GmshCell& cell : cells) {
       soup.cells.push_back({cell.corners, corners, cell.line});
       soup.cell_regions.push_back(cell.group);
     }
   };
-  add(data.triangles, 3);
-  add(data.quadrilaterals, 4);
-  for (const GmshCell& edge : data.lines)
-    soup.edges.push_back({edge.corners[0], edge.corners[1], edge.group});
+  if (Dim == 2) add_cells(data.triangles, 3), add_cells(data.quadrilaterals, 4);
+  if (Dim == 3) add_cells(data.tetrahedra, 4);
+  for (const GmshCell& facet : Dim == 2 ? data.lines : data.triangles) {
+    soup.facets.push_back({{}, facet.group, facet.line});
+    std::copy_n(facet.corners.begin(), Dim, soup.facets.back().corners.begin());
+  }
   return soup;
 }
 
@@ -229,32 +219,30 @@ void add_fields(GmshData& data, const std::vector<Field>& fields, std::size_t co
   }
 }
 
-GmshData data_of(const TetMesh& mesh) {
-  GmshData data;
-  data.points = mesh.points.flat();
-  add_names(data, mesh.marker_names, 2);
-  for (const std::vector<MarkedFace>* faces : {&mesh.boundary, &mesh.interfaces})
-    for (const MarkedFace& face : *faces)
-      data.triangles.push_back(
-          {{face.corners[0], face.corners[1], face.corners[2]}, checked_group(face.marker)});
-  const std::vector<Marker> regions = whole_regions(mesh.regions, 0);
-  for (const TetId t : mesh.corners.ids())
-    data.tetrahedra.push_back({mesh.corners[t], regions.empty() ? 0 : regions[t.index()]});
-  return data;
+template <std::size_t count>
+GmshCell cell_of(const std::array<VertexId, count>& corners, Marker group) {
+  GmshCell cell{};
+  cell.group = group;
+  std::copy(corners.begin(), corners.end(), cell.corners.begin());
+  return cell;
 }
 
-GmshData data_of(const TriangleMesh& mesh) {
+Point3 node_of(Point2 p) { return {p.x, p.y, 0}; }
+const Point3& node_of(const Point3& p) { return p; }
+
+template <int Dim>
+GmshData data_of(const SimplexMesh<Dim>& mesh) {
   GmshData data;
-  for (const Point2 p : mesh.points) data.points.push_back({p.x, p.y, 0});
-  add_names(data, mesh.marker_names, 1);
-  for (const std::vector<MarkedEdge>* edges : {&mesh.boundary, &mesh.constraints})
-    for (const MarkedEdge& edge : *edges)
-      data.lines.push_back({{edge.from, edge.to}, checked_group(edge.marker)});
+  for (const auto& p : mesh.points) data.points.push_back(node_of(p));
+  add_names(data, mesh.marker_names, Dim - 1);
+  for (const auto* facets : {&mesh.boundary, &mesh.inner_facets()})
+    for (const auto& facet : *facets)
+      (Dim == 2 ? data.lines : data.triangles)
+          .push_back(cell_of(Simplex<Dim>::corners_of(facet), checked_group(facet.marker)));
   const std::vector<Marker> regions = whole_regions(mesh.regions, 0);
-  for (const TriangleId t : mesh.corners.ids()) {
-    const auto& c = mesh.corners[t];
-    data.triangles.push_back({{c[0], c[1], c[2]}, regions.empty() ? 0 : regions[t.index()]});
-  }
+  for (const auto t : mesh.corners.ids())
+    (Dim == 2 ? data.triangles : data.tetrahedra)
+        .push_back(cell_of(mesh.corners[t], regions.empty() ? 0 : regions[t.index()]));
   return data;
 }
 
@@ -265,8 +253,9 @@ TetMeshFile parse_tet_gmsh(std::string_view bytes, const std::string& source) {
   if (!data.quadrilaterals.empty())
     throw InputError(source, "the file has quadrilaterals", "a tetrahedral mesh has none");
   const auto new_index = drop_unused_nodes(data, {{&data.tetrahedra, 4}, {&data.triangles, 3}});
-  TetSoup soup = tet_soup_of(data, new_index, source);
-  return with_warnings(assemble(std::move(soup), FaceRule::fill_in_the_boundary), data.warnings);
+  MeshSoup<3> soup = soup_of<3>(data, new_index, source);
+  soup.points = PerId<VertexId, Point3>(std::move(data.points));
+  return with_warnings(assemble(std::move(soup), FacetRule::fill_in_the_boundary), data.warnings);
 }
 
 MeshFile parse_gmsh(std::string_view bytes, const std::string& source) {
@@ -276,8 +265,9 @@ MeshFile parse_gmsh(std::string_view bytes, const std::string& source) {
   const auto new_index =
       drop_unused_nodes(data, {{&data.triangles, 3}, {&data.quadrilaterals, 4}, {&data.lines, 2}});
   refuse_points_off_the_plane(data.points, source);
-  CellSoup soup = cell_soup_of(data, new_index, source);
-  return with_warnings(assemble(std::move(soup), EdgeRule::fill_in_the_boundary), data.warnings);
+  MeshSoup<2> soup = soup_of<2>(data, new_index, source);
+  for (const Point3& p : data.points) soup.points.push_back({p.x, p.y});
+  return with_warnings(assemble(std::move(soup), FacetRule::fill_in_the_boundary), data.warnings);
 }
 
 TetMeshFile read_tet_gmsh(const std::filesystem::path& path) {

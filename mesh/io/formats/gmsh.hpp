@@ -17,7 +17,7 @@ namespace leonhard::io {
 /// a warning. $NodeData and $ElementData come as fields where every vertex or tetrahedron has a value, the first of each
 /// name; others, and other data, are left out with a warning.
 ///
-/// A boundary face that is not listed gets a marker (see tet_soup.hpp), listed inner faces in a group are interfaces.
+/// A boundary face that is not listed gets a marker (see mesh_soup.hpp), listed inner faces in a group are interfaces.
 /// Vertices are numbered in the order of the file's nodes, whatever their tags.
 ///
 /// throws InputError: another version, a partitioned mesh, other cells than triangles and tetrahedra of first order (by
@@ -26,7 +26,7 @@ namespace leonhard::io {
 [[nodiscard]] TetMeshFile parse_tet_gmsh(std::string_view bytes, const std::string& source);
 
 /// Read a triangle mesh of Gmsh in a plane z = const: groups of lines are the markers, those of triangles and
-/// quadrilaterals (which are split) the regions. Boundary edges that are not listed get a marker (see cell_soup.hpp).
+/// quadrilaterals (which are split) the regions. Boundary edges that are not listed get a marker (see mesh_soup.hpp).
 /// throws InputError: as read_tet_gmsh and read_mesh; points off the plane
 [[nodiscard]] MeshFile read_gmsh(const std::filesystem::path& path);
 [[nodiscard]] MeshFile parse_gmsh(std::string_view bytes, const std::string& source);

@@ -10,15 +10,15 @@
 #include "leonhard/mesh/io/formats/medit_data.hpp"
 #include "leonhard/mesh/io/formats/triangle_tables.hpp"
 #include "leonhard/mesh/io/formats/whole_regions.hpp"
-#include "leonhard/mesh/io/soup/tet_soup.hpp"
+#include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
 
 namespace {
 
-TetSoup soup_of(MeditData data, const std::string& source) {
-  TetSoup soup;
+MeshSoup<3> soup_of(MeditData data, const std::string& source) {
+  MeshSoup<3> soup;
   soup.source = source;
   soup.note = "here ids are numbered from 0, in the file from 1";
   soup.points = PerId<VertexId, Point3>(std::move(data.points));
@@ -27,12 +27,12 @@ TetSoup soup_of(MeditData data, const std::string& source) {
   soup.cells.reserve(data.tetrahedra.size());
   soup.cell_regions.reserve(data.tetrahedra.size());
   for (const MeditCell& cell : data.tetrahedra) {
-    soup.cells.push_back({cell.corners, cell.line});
+    soup.cells.push_back({cell.corners, 4, cell.line});
     soup.cell_regions.push_back(cell.reference);
   }
-  soup.faces.reserve(data.triangles.size());
+  soup.facets.reserve(data.triangles.size());
   for (const MeditCell& face : data.triangles)
-    soup.faces.push_back({{face.corners[0], face.corners[1], face.corners[2]}, face.reference, face.line});
+    soup.facets.push_back({{face.corners[0], face.corners[1], face.corners[2]}, face.reference, face.line});
   return soup;
 }
 
@@ -52,7 +52,7 @@ TetMeshFile parse_medit(std::string_view text, const std::string& source) {
     throw InputError(at_line(source, data.quadrilaterals.front().line), "the file has Quadrilaterals",
                      "a tetrahedral mesh has none");
   std::vector<std::string> warnings = std::move(data.warnings);
-  TetMeshFile result = assemble(soup_of(std::move(data), source), FaceRule::fill_in_the_boundary);
+  TetMeshFile result = assemble(soup_of(std::move(data), source), FacetRule::fill_in_the_boundary);
   result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
   return result;
 }

@@ -13,7 +13,7 @@ namespace leonhard::io {
 /// their references, which are the vertices' markers, the regions, and the markers of faces; sections in any order,
 /// # starts a comment. Sections of edges, corners, normals and the like are passed over with a warning.
 ///
-/// A boundary face that is not listed gets a marker (see tet_soup.hpp), listed inner faces with a reference other than 0
+/// A boundary face that is not listed gets a marker (see mesh_soup.hpp), listed inner faces with a reference other than 0
 /// are interfaces. Ids are the file's numbers less 1.
 ///
 /// throws InputError: a file of the plane, other cells than triangles and tetrahedra, and as read_tet_mesh

@@ -8,8 +8,7 @@
 #include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/su2_parser.hpp"
 #include "leonhard/mesh/io/formats/triangle_tables.hpp"
-#include "leonhard/mesh/io/soup/cell_soup.hpp"
-#include "leonhard/mesh/io/soup/tet_soup.hpp"
+#include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
@@ -23,43 +22,68 @@ constexpr const char* partitioned = "this is one part of a partitioned mesh; giv
 
 // ---- reading ----
 
-class PlaneParser final : Su2Parser {
+/// What files of both dimensions have in common.
+template <int Dim>
+class MeshParser : Su2Parser {
  public:
-  PlaneParser(std::string_view text, const std::string& source) : Su2Parser(text, source, 2) {
-    soup_.source = source;
-  }
-
-  MeshFile parse() {
+  SimplexMeshFile<Dim> parse() {
     read_sections();
     soup_.marker_names = std::move(names());
-    MeshFile result = assemble(std::move(soup_), EdgeRule::edges_are_the_boundary);
+    SimplexMeshFile<Dim> result = assemble(std::move(soup_), FacetRule::facets_are_the_boundary);
     result.warnings.insert(result.warnings.begin(), warnings().begin(), warnings().end());
     return result;
   }
+
+ protected:
+  MeshParser(std::string_view text, const std::string& source) : Su2Parser(text, source, Dim) {
+    soup_.source = source;
+  }
+  ~MeshParser() = default;
+
+  using Su2Parser::scan;
+
+  void add_cell(std::uint32_t corner_count) {
+    SoupCell cell{{}, corner_count, static_cast<std::uint32_t>(scan().line())};
+    for (std::uint32_t i = 0; i < corner_count; ++i) cell.corners[i] = read_vertex("a vertex of the cell");
+    soup_.cells.push_back(cell);
+  }
+  void add_facet(const char* a_vertex, Marker marker) {
+    SoupFacet<Dim> facet{{}, marker, static_cast<std::uint32_t>(scan().line())};
+    for (VertexId& v : facet.corners) v = read_vertex(a_vertex);
+    soup_.facets.push_back(facet);
+  }
+  void add_point(const typename Simplex<Dim>::Point& p) { soup_.points.push_back(p); }
 
  private:
   void reserve(std::size_t cells, std::size_t points) override {
     soup_.cells.reserve(cells);
     soup_.points.reserve(points);
   }
+  void renumber(const std::vector<Marker>& number_of_tag) override {
+    for (SoupFacet<Dim>& facet : soup_.facets)
+      facet.marker = number_of_tag[static_cast<std::size_t>(facet.marker) - 1];
+  }
 
+  MeshSoup<Dim> soup_;
+};
+
+class TriangleParser final : public MeshParser<2> {
+ public:
+  TriangleParser(std::string_view text, const std::string& source) : MeshParser(text, source) {}
+
+ private:
   void read_cell(std::size_t index) override {
     const std::int64_t type = scan().integer("the type of a cell (5 triangle, 9 quadrilateral)");
     if (type != triangle_type && type != quadrilateral_type)
       scan().fail("cell " + std::to_string(index) + " has the type " + std::to_string(type) +
                       ", which is no cell of the plane",
                   "use 5 (triangle) or 9 (quadrilateral)");
-    Cell cell;
-    cell.corner_count = type == triangle_type ? 3 : 4;
-    cell.line = static_cast<std::uint32_t>(scan().line());
-    for (std::uint32_t i = 0; i < cell.corner_count; ++i)
-      cell.corners[i] = read_vertex("a vertex of the cell");
-    soup_.cells.push_back(cell);
+    add_cell(type == triangle_type ? 3 : 4);
   }
 
   void read_coordinates() override {
     const double x = scan().number("the x coordinate of a point");
-    soup_.points.push_back({x, scan().number("the y coordinate of a point")});
+    add_point({x, scan().number("the y coordinate of a point")});
   }
 
   void read_boundary_element(const std::string& tag, Marker marker) override {
@@ -68,47 +92,21 @@ class PlaneParser final : Su2Parser {
       scan().fail("the marker " + in_quotes(tag) + " has an element of type " + std::to_string(type) +
                       ", but a boundary of the plane is made of lines",
                   type == 1 ? partitioned : "use 3 (line)");
-    const VertexId from = read_vertex("a vertex of the boundary edge");
-    soup_.edges.push_back({from, read_vertex("a vertex of the boundary edge"), marker});
+    add_facet("a vertex of the boundary edge", marker);
   }
-
-  void renumber(const std::vector<Marker>& number_of_tag) override {
-    for (MarkedEdge& edge : soup_.edges)
-      edge.marker = number_of_tag[static_cast<std::size_t>(edge.marker) - 1];
-  }
-
-  CellSoup soup_;
 };
 
-class SpaceParser final : Su2Parser {
+class TetParser final : public MeshParser<3> {
  public:
-  SpaceParser(std::string_view text, const std::string& source) : Su2Parser(text, source, 3) {
-    soup_.source = source;
-  }
-
-  TetMeshFile parse() {
-    read_sections();
-    soup_.marker_names = std::move(names());
-    TetMeshFile result = assemble(std::move(soup_), FaceRule::faces_are_the_boundary);
-    result.warnings.insert(result.warnings.begin(), warnings().begin(), warnings().end());
-    return result;
-  }
+  TetParser(std::string_view text, const std::string& source) : MeshParser(text, source) {}
 
  private:
-  void reserve(std::size_t cells, std::size_t points) override {
-    soup_.cells.reserve(cells);
-    soup_.points.reserve(points);
-  }
-
   void read_cell(std::size_t index) override {
     const std::int64_t type = scan().integer("the type of a cell (10 tetrahedron)");
     if (type != tetrahedron_type)
       scan().fail("cell " + std::to_string(index) + " has the type " + std::to_string(type) + name_of(type),
                   "only tetrahedra (10) can be read");
-    TetCell cell;
-    cell.line = static_cast<std::uint32_t>(scan().line());
-    for (VertexId& v : cell.corners) v = read_vertex("a vertex of the cell");
-    soup_.cells.push_back(cell);
+    add_cell(4);
   }
 
   static const char* name_of(std::int64_t type) {
@@ -118,7 +116,7 @@ class SpaceParser final : Su2Parser {
   void read_coordinates() override {
     const double x = scan().number("the x coordinate of a point"),
                  y = scan().number("the y coordinate of a point");
-    soup_.points.push_back({x, y, scan().number("the z coordinate of a point")});
+    add_point({x, y, scan().number("the z coordinate of a point")});
   }
 
   void read_boundary_element(const std::string& tag, Marker marker) override {
@@ -127,29 +125,11 @@ class SpaceParser final : Su2Parser {
       scan().fail("the marker " + in_quotes(tag) + " has an element of type " + std::to_string(type) +
                       ", but the boundary of tetrahedra is made of triangles",
                   type == 1 ? partitioned : "use 5 (triangle)");
-    TetFace face{{}, marker, static_cast<std::uint32_t>(scan().line())};
-    for (VertexId& v : face.corners) v = read_vertex("a vertex of the boundary face");
-    soup_.faces.push_back(face);
+    add_facet("a vertex of the boundary face", marker);
   }
-
-  void renumber(const std::vector<Marker>& number_of_tag) override {
-    for (TetFace& face : soup_.faces) face.marker = number_of_tag[static_cast<std::size_t>(face.marker) - 1];
-  }
-
-  TetSoup soup_;
 };
 
 // ---- writing ----
-
-/// How a mesh of the plane or of space is written: NDIME, types, and the vertices of an element of the boundary.
-struct PlaneKind {
-  static constexpr std::int64_t dimension = 2, cell = triangle_type, boundary = line_type;
-  static std::array<VertexId, 2> vertices(const MarkedEdge& edge) { return {edge.from, edge.to}; }
-};
-struct SpaceKind {
-  static constexpr std::int64_t dimension = 3, cell = tetrahedron_type, boundary = triangle_type;
-  static std::array<VertexId, 3> vertices(const MarkedFace& face) { return face.corners; }
-};
 
 template <std::size_t count>
 void append_element(std::string& text, std::int64_t type, const std::array<VertexId, count>& vertices) {
@@ -157,8 +137,10 @@ void append_element(std::string& text, std::int64_t type, const std::array<Verte
   for (const VertexId v : vertices) append_words(text, {static_cast<std::int64_t>(v.index())});
 }
 
-template <class Kind, class Mesh>
-std::string format(const Mesh& mesh) {
+template <int Dim>
+std::string format(const SimplexMesh<Dim>& mesh) {
+  constexpr std::int64_t cell_type = Dim == 2 ? triangle_type : tetrahedron_type,
+                         facet_type = Dim == 2 ? line_type : triangle_type;
   std::map<Marker, std::vector<std::size_t>> elements_of;  // indices in mesh.boundary
   std::set<Marker> used;
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
@@ -169,10 +151,9 @@ std::string format(const Mesh& mesh) {
 
   std::string text = format_marker_notes(tags, '%');
   text.reserve(text.size() + 64 * mesh.vertex_count() + 40 * mesh.corners.size());
-  text +=
-      "NDIME= " + std::to_string(Kind::dimension) + "\nNELEM= " + std::to_string(mesh.corners.size()) + "\n";
+  text += "NDIME= " + std::to_string(Dim) + "\nNELEM= " + std::to_string(mesh.corners.size()) + "\n";
   for (const auto cell : mesh.corners.ids()) {
-    append_element(text, Kind::cell, mesh.corners[cell]);
+    append_element(text, cell_type, mesh.corners[cell]);
     append_words(text, {static_cast<std::int64_t>(cell.index())});
     end_line(text);
   }
@@ -186,7 +167,7 @@ std::string format(const Mesh& mesh) {
   for (const auto& [marker, elements] : elements_of) {
     text += "MARKER_TAG= " + tags.at(marker) + "\nMARKER_ELEMS= " + std::to_string(elements.size()) + "\n";
     for (const std::size_t i : elements) {
-      append_element(text, Kind::boundary, Kind::vertices(mesh.boundary[i]));
+      append_element(text, facet_type, Simplex<Dim>::corners_of(mesh.boundary[i]));
       end_line(text);
     }
   }
@@ -196,10 +177,10 @@ std::string format(const Mesh& mesh) {
 }  // namespace
 
 MeshFile parse_su2(std::string_view text, const std::string& source) {
-  return PlaneParser(text, source).parse();
+  return TriangleParser(text, source).parse();
 }
 TetMeshFile parse_tet_su2(std::string_view text, const std::string& source) {
-  return SpaceParser(text, source).parse();
+  return TetParser(text, source).parse();
 }
 
 MeshFile read_su2(const std::filesystem::path& path) {
@@ -209,8 +190,8 @@ TetMeshFile read_tet_su2(const std::filesystem::path& path) {
   return parse_tet_su2(read_whole_file(path), path.string());
 }
 
-std::string format_su2(const TriangleMesh& mesh) { return format<PlaneKind>(mesh); }
-std::string format_su2(const TetMesh& mesh) { return format<SpaceKind>(mesh); }
+std::string format_su2(const TriangleMesh& mesh) { return format(mesh); }
+std::string format_su2(const TetMesh& mesh) { return format(mesh); }
 
 void write_su2(const std::filesystem::path& path, const TriangleMesh& mesh) {
   write_file_atomically(path, format_su2(mesh));

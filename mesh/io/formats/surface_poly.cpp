@@ -12,21 +12,21 @@ namespace leonhard::io {
 namespace {
 
 /// The points of the file itself or, where it declares none, of the .node file beside it.
-VertexTable3 vertices_of(TextScanner& scan, const std::optional<std::string>& node) {
-  VertexTable3 vertices = read_vertices3(scan);
+VertexTable<Point3> vertices_of(TextScanner& scan, const std::optional<std::string>& node) {
+  VertexTable<Point3> vertices = read_vertices<Point3>(scan);
   if (!vertices.points.empty()) return vertices;
   if (!node)
     scan.fail("the file declares 0 vertices, and there is no .node file beside it",
               "add the .node file of the same name, or the vertices");
   TextScanner node_scan(*node, std::filesystem::path(scan.source()).replace_extension(".node").string(),
                         triangle_syntax);
-  vertices = read_vertices3(node_scan);
+  vertices = read_vertices<Point3>(node_scan);
   expect_end(node_scan, "the last vertex");
   return vertices;
 }
 
 /// The corners of a polygon after their number; they may go on on the next lines.
-void read_corners(TextScanner& scan, const VertexTable3& vertices, SurfaceBuilder& surface) {
+void read_corners(TextScanner& scan, const VertexTable<Point3>& vertices, SurfaceBuilder& surface) {
   const std::size_t count = scan.count("the number of corners of a polygon", 2);
   for (std::size_t i = 0; i < count; ++i) {
     scan.need_word("a corner of a polygon");
@@ -36,7 +36,7 @@ void read_corners(TextScanner& scan, const VertexTable3& vertices, SurfaceBuilde
 }
 
 /// A facet of a .poly: a line with how many polygons and holes, and the marker; then those, one a line.
-void read_facet(TextScanner& scan, const VertexTable3& vertices, bool with_markers, std::size_t facet,
+void read_facet(TextScanner& scan, const VertexTable<Point3>& vertices, bool with_markers, std::size_t facet,
                 SurfaceBuilder& surface) {
   const std::size_t polygons = scan.count("the number of polygons of a facet", 4);
   const std::size_t holes = scan.line_done() ? 0 : scan.count("the number of holes of a facet", 8);
@@ -61,7 +61,7 @@ void read_facet(TextScanner& scan, const VertexTable3& vertices, bool with_marke
 SurfaceFile parse(std::string_view text, const std::optional<std::string>& node, const std::string& source,
                   bool one_polygon_a_facet) {
   TextScanner scan(text, source, triangle_syntax);
-  VertexTable3 vertices = vertices_of(scan, node);
+  VertexTable<Point3> vertices = vertices_of(scan, node);
   SurfaceBuilder surface(source, vertices.first_number);
   scan.need_line("the number of facets");
   const std::size_t count = scan.count("the number of facets", 4);

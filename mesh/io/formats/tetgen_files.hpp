@@ -20,7 +20,7 @@ struct TetgenFileTexts {
 
 /// Read STEM.node and STEM.ele (path is one of the four), and STEM.face for the markers where it exists.
 ///
-/// A boundary face that it does not list gets a marker (see tet_soup.hpp); listed inner faces with a marker other than 0
+/// A boundary face that it does not list gets a marker (see mesh_soup.hpp); listed inner faces with a marker other than 0
 /// are interfaces.
 ///
 /// throws InputError: numbers out of order, tetrahedra with ten nodes, a mesh of the plane, and as read_tet_mesh

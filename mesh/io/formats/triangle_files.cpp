@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/io/formats/triangle_files.hpp"
 
-#include <limits>
-#include <span>
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/formats/marker_notes.hpp"
-#include "leonhard/mesh/io/formats/triangle_tables.hpp"
-#include "leonhard/mesh/io/number_text.hpp"
-#include "leonhard/mesh/io/soup/cell_soup.hpp"
+#include "leonhard/mesh/io/formats/stem_files.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
@@ -22,7 +17,7 @@ constexpr TextSyntax syntax = triangle_syntax;
 // ---- reading ----
 
 /// Segments of a .poly file or edges of an .edge file.
-std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable& vertices) {
+std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable<Point2>& vertices) {
   scan.need_line("the number of segments");
   const std::size_t count = scan.count("the number of segments", shortest_entry);
   const bool with_markers = read_flag(scan, "the number of boundary markers");
@@ -84,43 +79,16 @@ std::vector<Pslg::Region> read_regions(TextScanner& scan) {
   return regions;
 }
 
-/// Triangles with their regional attribute (the first one; 0 without).
-void read_triangles(TextScanner& scan, const VertexTable& vertices, CellSoup& soup) {
-  scan.need_line("the number of triangles");
-  const std::size_t count = scan.count("the number of triangles", shortest_entry + 2);
-  const std::int64_t nodes = scan.line_done() ? 3 : scan.integer("the number of nodes per triangle");
-  if (nodes != 3)
-    scan.fail("triangles have " + std::to_string(nodes) + " nodes, only 3 can be read",
-              "write the mesh without mid-edge nodes (Triangle: without -o2)");
-  const std::size_t attributes = scan.line_done() ? 0 : scan.count("the number of attributes", 1);
-  scan.expect_line_end("the header of the triangles");
-  soup.cells.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    scan.need_line("a triangle");
-    check_number(scan, "triangle", vertices.first_number + static_cast<std::int64_t>(i));
-    Cell cell;
-    cell.line = 0;  // the errors of assemble name the stem of several files
-    for (std::size_t k = 0; k < 3; ++k)
-      cell.corners[k] = VertexId::from(vertices.read_reference(scan, "a corner of a triangle"));
-    if (attributes > 0) {
-      soup.cell_regions.push_back(scan.number("the attribute of a triangle"));
-      skip_attributes(scan, attributes - 1);
-    }
-    scan.expect_line_end("the triangle");
-    soup.cells.push_back(cell);
-  }
-  expect_end(scan, "the last triangle");
-}
-
 /// The marked edges of STEM.poly, or of STEM.edge; those of a .poly with points of its own are not the
 /// mesh's.
-void read_marked_edges(const TriangleFileTexts& texts, const std::string& source, const VertexTable& vertices,
-                       CellSoup& soup, std::vector<std::string>& warnings) {
+void read_marked_edges(const TriangleFileTexts& texts, const std::string& source,
+                       const VertexTable<Point2>& vertices, MeshSoup<2>& soup,
+                       std::vector<std::string>& warnings) {
   std::vector<Pslg::Segment> segments;
   if (texts.poly) {
     soup.marker_names = read_marker_notes(*texts.poly, syntax.comment);
     TextScanner scan(*texts.poly, source + ".poly", syntax);
-    if (read_vertices(scan).points.empty()) {
+    if (read_vertices<Point2>(scan).points.empty()) {
       segments = read_segments(scan, vertices);
     } else {
       warnings.push_back(source +
@@ -132,49 +100,29 @@ void read_marked_edges(const TriangleFileTexts& texts, const std::string& source
     std::erase_if(segments, [](const Pslg::Segment& edge) { return edge.marker == 0; });
   }
   for (const Pslg::Segment& s : segments)
-    soup.edges.push_back({VertexId::from(s.from), VertexId::from(s.to), s.marker});
+    soup.facets.push_back({{VertexId::from(s.from), VertexId::from(s.to)}, s.marker});
 }
 
 // ---- writing ----
 
-void append_segment(std::string& text, std::size_t number, std::size_t from, std::size_t to, Marker marker) {
-  append_words(text, {static_cast<std::int64_t>(number), static_cast<std::int64_t>(from),
-                      static_cast<std::int64_t>(to), marker});
-  end_line(text);
-}
-
 std::string format_mesh_poly(const TriangleMesh& mesh) {
   std::string text = format_marker_notes(mesh.marker_names, syntax.comment);
   text += "# the vertices are in the .node file\n0 2 0 1\n";
-  append_words(text, {std::ssize(mesh.boundary) + std::ssize(mesh.constraints), 1});
-  end_line(text);
-  std::size_t number = 0;
-  for (const std::vector<MarkedEdge>* edges : {&mesh.boundary, &mesh.constraints})
-    for (const MarkedEdge& edge : *edges)
-      append_segment(text, number++, edge.from.index(), edge.to.index(), edge.marker);
+  append_facets(text, mesh);
   return text + "0\n";
-}
-
-std::filesystem::path sibling(std::filesystem::path path, const char* extension) {
-  return path.replace_extension(extension);
-}
-
-std::optional<std::string> text_if_there(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) return std::nullopt;
-  return read_whole_file(path);
 }
 
 }  // namespace
 
 Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node, const std::string& source) {
   TextScanner scan(poly, source, syntax);
-  VertexTable vertices = read_vertices(scan);
+  VertexTable<Point2> vertices = read_vertices<Point2>(scan);
   if (vertices.points.empty()) {
     if (!node)
       scan.fail("the file declares 0 vertices, and there is no .node file beside it",
                 "add the .node file of the same name, or the vertices");
     TextScanner node_scan(*node, std::filesystem::path(source).replace_extension(".node").string(), syntax);
-    vertices = read_vertices(node_scan);
+    vertices = read_vertices<Point2>(node_scan);
     expect_end(node_scan, "the last vertex");
   }
   Pslg pslg;
@@ -194,8 +142,12 @@ std::string format_poly(const Pslg& pslg) {
   append_vertices(text, pslg.points, {}, pslg.point_markers);
   append_words(text, {std::ssize(pslg.segments), 1});
   end_line(text);
-  for (std::size_t i = 0; i < pslg.segments.size(); ++i)
-    append_segment(text, i, pslg.segments[i].from, pslg.segments[i].to, pslg.segments[i].marker);
+  for (std::size_t i = 0; i < pslg.segments.size(); ++i) {
+    const auto& [from, to, marker] = pslg.segments[i];
+    append_words(text, {static_cast<std::int64_t>(i), static_cast<std::int64_t>(from),
+                        static_cast<std::int64_t>(to), marker});
+    end_line(text);
+  }
   append_words(text, {std::ssize(pslg.holes)});
   end_line(text);
   for (std::size_t i = 0; i < pslg.holes.size(); ++i) {
@@ -215,19 +167,10 @@ std::string format_poly(const Pslg& pslg) {
 }
 
 MeshFile parse_triangle_files(const TriangleFileTexts& texts, const std::string& source) {
-  TextScanner node_scan(texts.node, source + ".node", syntax);
-  VertexTable vertices = read_vertices(node_scan);
-  expect_end(node_scan, "the last vertex");
-  CellSoup soup;
-  soup.source = source + ".ele";
-  if (vertices.first_number == 1) soup.note = "here ids are numbered from 0, in the files from 1";
-  TextScanner ele_scan(texts.ele, soup.source, syntax);
-  read_triangles(ele_scan, vertices, soup);
   std::vector<std::string> warnings;
-  read_marked_edges(texts, source, vertices, soup, warnings);
-  soup.points = PerId<VertexId, Point2>(std::move(vertices.points));
-  soup.vertex_markers = std::move(vertices.markers);
-  MeshFile result = assemble(std::move(soup), EdgeRule::fill_in_the_boundary);
+  MeshFile result = parse_stem<2>(texts.node, texts.ele, source, [&](const auto& vertices, auto& soup) {
+    read_marked_edges(texts, source, vertices, soup, warnings);
+  });
   result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
   return result;
 }
@@ -257,15 +200,9 @@ TriangleFileTexts format_triangle_files(const TriangleMesh& mesh) {
 
 void write_triangle_files(const std::filesystem::path& path, const TriangleMesh& mesh) {
   const TriangleFileTexts texts = format_triangle_files(mesh);
-  std::vector<AtomicFile> files;  // all are written before the first one appears
-  const auto write = [&](const char* extension, const std::string& text) {
-    files.emplace_back(sibling(path, extension)).write(text);
-  };
-  write(".node", texts.node);
-  write(".ele", texts.ele);
-  write(".poly", *texts.poly);
-  write(".neigh", *texts.neigh);
-  for (AtomicFile& file : files) file.commit();
+  write_siblings(
+      path,
+      {{".node", &texts.node}, {".ele", &texts.ele}, {".poly", &*texts.poly}, {".neigh", &*texts.neigh}});
 }
 
 }  // namespace leonhard::io

@@ -30,7 +30,7 @@ constexpr std::int64_t dimension_of = sizeof(Point) / sizeof(double);
 }  // namespace
 
 template <class Point>
-std::size_t VertexTableOf<Point>::read_reference(TextScanner& scan, const char* expected) const {
+std::size_t VertexTable<Point>::read_reference(TextScanner& scan, const char* expected) const {
   const std::int64_t number = scan.integer(expected);
   const std::int64_t index = number - first_number;
   if (index < 0 || static_cast<std::uint64_t>(index) >= this->points.size())
@@ -61,11 +61,9 @@ bool read_flag(TextScanner& scan, const char* expected) {
   return flag == 1;
 }
 
-namespace {
-
 template <class Point>
-VertexTableOf<Point> read_table(TextScanner& scan) {
-  VertexTableOf<Point> table;
+VertexTable<Point> read_vertices(TextScanner& scan) {
+  VertexTable<Point> table;
   scan.need_line("the number of vertices");
   const std::size_t count = scan.count("the number of vertices", shortest_entry);
   check_dimension(scan, dimension_of<Point>);
@@ -91,14 +89,6 @@ VertexTableOf<Point> read_table(TextScanner& scan) {
   }
   return table;
 }
-
-}  // namespace
-
-template struct VertexTableOf<Point2>;
-template struct VertexTableOf<Point3>;
-
-VertexTable read_vertices(TextScanner& scan) { return read_table<Point2>(scan); }
-VertexTable3 read_vertices3(TextScanner& scan) { return read_table<Point3>(scan); }
 
 void expect_end(TextScanner& scan, const char* last) {
   if (scan.next_line()) scan.fail("found " + in_quotes(scan.rest()) + " after " + last, "correct the counts");
@@ -129,11 +119,9 @@ void append_point(std::string& text, const Point3& p) {
   text += ' ';
 }
 
-namespace {
-
 template <class Point>
-void append_table(std::string& text, std::span<const Point> points, std::span<const double> attributes,
-                  std::span<const Marker> markers) {
+void append_vertices(std::string& text, const std::vector<Point>& points, std::span<const double> attributes,
+                     std::span<const Marker> markers) {
   const std::size_t each = points.empty() ? 0 : attributes.size() / points.size();
   append_words(text, {std::ssize(points), dimension_of<Point>, static_cast<std::int64_t>(each),
                       markers.empty() ? 0 : 1});
@@ -150,16 +138,13 @@ void append_table(std::string& text, std::span<const Point> points, std::span<co
   }
 }
 
-}  // namespace
-
-void append_vertices(std::string& text, std::span<const Point2> points, std::span<const double> attributes,
-                     std::span<const Marker> markers) {
-  append_table(text, points, attributes, markers);
-}
-
-void append_vertices(std::string& text, std::span<const Point3> points, std::span<const double> attributes,
-                     std::span<const Marker> markers) {
-  append_table(text, points, attributes, markers);
-}
+template struct VertexTable<Point2>;
+template struct VertexTable<Point3>;
+template VertexTable<Point2> read_vertices(TextScanner&);
+template VertexTable<Point3> read_vertices(TextScanner&);
+template void append_vertices(std::string&, const std::vector<Point2>&, std::span<const double>,
+                              std::span<const Marker>);
+template void append_vertices(std::string&, const std::vector<Point3>&, std::span<const double>,
+                              std::span<const Marker>);
 
 }  // namespace leonhard::io

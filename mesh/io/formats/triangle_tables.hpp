@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/io/number_text.hpp"
@@ -22,19 +23,17 @@ inline constexpr std::size_t shortest_entry = 6;
 
 /// The vertices of a .node file or of the first part of a .poly file.
 template <class Point>
-struct VertexTableOf : PointSetOf<Point> {
+struct VertexTable : PointSetOf<Point> {
   std::int64_t first_number = 0;
 
   /// 0-based index of the vertex that the next word of the line numbers.
   std::size_t read_reference(TextScanner& scan, const char* expected) const;
 };
-using VertexTable = VertexTableOf<Point2>;
-using VertexTable3 = VertexTableOf<Point3>;
 
 /// Header and vertices; the scanner stays on the last vertex's line.
 /// throws InputError if the file is of the other dimension
-[[nodiscard]] VertexTable read_vertices(TextScanner& scan);
-[[nodiscard]] VertexTable3 read_vertices3(TextScanner& scan);
+template <class Point>
+[[nodiscard]] VertexTable<Point> read_vertices(TextScanner& scan);
 
 /// Entries carry their number, counted from the first one's.
 void check_number(TextScanner& scan, const char* entry, std::int64_t expected);
@@ -54,9 +53,8 @@ void end_line(std::string& text);
 ///
 /// attributes  as many for each point as it is long in points; or empty
 /// markers     one a point, or empty
-void append_vertices(std::string& text, std::span<const Point2> points, std::span<const double> attributes,
-                     std::span<const Marker> markers);
-void append_vertices(std::string& text, std::span<const Point3> points, std::span<const double> attributes,
+template <class Point>
+void append_vertices(std::string& text, const std::vector<Point>& points, std::span<const double> attributes,
                      std::span<const Marker> markers);
 
 /// The text of an .ele file, numbered from 0: corners, and regions unless there are none.

@@ -5,8 +5,7 @@
 
 #include "leonhard/mesh/io/formats/vtu_grid.hpp"
 #include "leonhard/mesh/io/formats/vtu_names.hpp"
-#include "leonhard/mesh/io/soup/cell_soup.hpp"
-#include "leonhard/mesh/io/soup/tet_soup.hpp"
+#include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
@@ -29,21 +28,43 @@ std::array<VertexId, count> ids_of(const VtuGrid& grid, const VtuCells& cells, s
   return ids;
 }
 
-/// Rows of `count` vertices and a marker.
-template <std::size_t count, class Add>
-void for_each_marked(const VtuGrid& grid, const XmlElement& array, const Add& add) {
-  const std::vector<std::int64_t> rows = grid.read_rows(array, count + 1);
-  for (std::size_t i = 0; i < rows.size(); i += count + 1) {
-    std::array<VertexId, count> ids;
-    for (std::size_t k = 0; k < count; ++k) ids[k] = grid.vertex(array, rows[i + k]);
-    add(ids, grid.marker(array, rows[i + count]));
+/// Rows of a facet's vertices and its marker.
+template <int Dim>
+void read_facets(const VtuGrid& grid, const XmlElement& array, std::vector<SoupFacet<Dim>>& facets) {
+  const std::vector<std::int64_t> rows = grid.read_rows(array, Dim + 1);
+  for (std::size_t i = 0; i < rows.size(); i += Dim + 1) {
+    SoupFacet<Dim> facet;
+    for (std::size_t k = 0; k < Dim; ++k) facet.corners[k] = grid.vertex(array, rows[i + k]);
+    facet.marker = grid.marker(array, rows[i + Dim]);
+    facets.push_back(facet);
   }
 }
 
-/// Files of other programs: marked cells of the boundary got 1 where they have no marker, and so did faces without cells.
-template <class File>
-File with_name_for_1(File file, bool knows_boundary) {
-  const auto has_marker_1 = [](const auto& element) { return element.marker == 1; };
+/// What write_vtu wrote of the boundary and the inner facets, in place of what the cells say.
+/// returns whether the file has it
+template <int Dim>
+bool read_boundary(const VtuGrid& grid, MeshSoup<Dim>& soup) {
+  const XmlElement* boundary = VtuGrid::find_array(grid.field_data(), vtu_names::boundary);
+  soup.marker_names = grid.read_marker_names();
+  if (boundary == nullptr) return false;
+  soup.facets.clear();
+  read_facets<Dim>(grid, *boundary, soup.facets);
+  const char* inner_facets = Dim == 2 ? vtu_names::constraints : vtu_names::interfaces;
+  if (const XmlElement* inner = VtuGrid::find_array(grid.field_data(), inner_facets))
+    read_facets<Dim>(grid, *inner, soup.facets);
+  return true;
+}
+
+/// A soup with its points and cells, completed and assembled. Files of other programs: marked cells of the boundary got 1
+/// where they have no marker, and so did facets without cells.
+template <int Dim>
+SimplexMeshFile<Dim> finish(const VtuGrid& grid, MeshSoup<Dim>&& soup) {
+  soup.vertex_markers = grid.read_vertex_markers();
+  soup.point_fields = grid.read_point_fields(soup.warnings);
+  const bool knows_boundary = read_boundary(grid, soup);
+  SimplexMeshFile<Dim> file = assemble(std::move(soup), knows_boundary ? FacetRule::boundary_and_inner_facets
+                                                                       : FacetRule::fill_in_the_boundary);
+  const auto has_marker_1 = [](const auto& facet) { return facet.marker == 1; };
   if (!knows_boundary && std::any_of(file.mesh.boundary.begin(), file.mesh.boundary.end(), has_marker_1))
     file.mesh.marker_names.try_emplace(1, "boundary");
   return file;
@@ -69,7 +90,7 @@ std::vector<CellField> rows_of_cells(const VtuGrid& grid, const VtuCells& cells,
 
 // ---- the plane ----
 
-void read_plane_points(const VtuGrid& grid, CellSoup& soup) {
+void read_triangle_points(const VtuGrid& grid, MeshSoup<2>& soup) {
   const std::vector<Point3> points = grid.read_points();
   soup.points.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -80,11 +101,9 @@ void read_plane_points(const VtuGrid& grid, CellSoup& soup) {
                 "only meshes in a plane z = const can be read");
     soup.points.push_back({points[i].x, points[i].y});
   }
-  soup.vertex_markers = grid.read_vertex_markers();
-  soup.point_fields = grid.read_point_fields(soup.warnings);
 }
 
-void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
+void read_triangle_cells(const VtuGrid& grid, MeshSoup<2>& soup) {
   const VtuCells cells = grid.read_cells();
   const std::vector<Marker> markers = grid.read_cell_markers();
   const std::vector<double> regions = grid.read_regions();
@@ -93,8 +112,7 @@ void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
     if (type == vtk_vertex) {
       check_vertex_count(grid, cells, c, 1);
     } else if (type == vtk_line) {
-      const auto [from, to] = ids_of<2>(grid, cells, c);
-      soup.edges.push_back({from, to, markers.empty() ? 1 : markers[c]});
+      soup.facets.push_back({ids_of<2>(grid, cells, c), markers.empty() ? 1 : markers[c]});
     } else if (type == vtk_triangle) {
       const auto [i, j, k] = ids_of<3>(grid, cells, c);
       soup.cells.push_back({{i, j, k}, 3});
@@ -110,25 +128,9 @@ void read_plane_cells(const VtuGrid& grid, CellSoup& soup) {
   soup.cell_fields = rows_of_cells(grid, cells, {vtk_triangle, vtk_quadrilateral}, soup.warnings);
 }
 
-/// returns whether the file says what the boundary is, as those that write_vtu wrote do
-bool read_plane_boundary(const VtuGrid& grid, CellSoup& soup) {
-  const auto read = [&](const char* name, std::vector<MarkedEdge>& edges) {
-    const XmlElement* array = VtuGrid::find_array(grid.field_data(), name);
-    if (array == nullptr) return false;
-    edges.clear();
-    for_each_marked<2>(grid, *array, [&](const std::array<VertexId, 2>& ends, Marker marker) {
-      edges.push_back({ends[0], ends[1], marker});
-    });
-    return true;
-  };
-  soup.marker_names = grid.read_marker_names();
-  read(vtu_names::constraints, soup.constraints);
-  return read(vtu_names::boundary, soup.edges);
-}
-
 // ---- space ----
 
-void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
+void read_tet_cells(const VtuGrid& grid, MeshSoup<3>& soup) {
   const VtuCells cells = grid.read_cells();
   const std::vector<Marker> markers = grid.read_cell_markers();
   const std::vector<double> regions = grid.read_regions();
@@ -139,9 +141,9 @@ void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
     } else if (type == vtk_line) {
       check_vertex_count(grid, cells, c, 2);
     } else if (type == vtk_triangle) {
-      soup.faces.push_back({ids_of<3>(grid, cells, c), markers.empty() ? 1 : markers[c]});
+      soup.facets.push_back({ids_of<3>(grid, cells, c), markers.empty() ? 1 : markers[c]});
     } else if (type == vtk_tetrahedron) {
-      soup.cells.push_back({ids_of<4>(grid, cells, c)});
+      soup.cells.push_back({ids_of<4>(grid, cells, c), 4});
       if (!regions.empty()) soup.cell_regions.push_back(regions[c]);
     } else {
       const char* name = type == 12   ? " (hexahedron)"
@@ -155,47 +157,26 @@ void read_space_cells(const VtuGrid& grid, TetSoup& soup) {
   soup.cell_fields = rows_of_cells(grid, cells, {vtk_tetrahedron}, soup.warnings);
 }
 
-/// returns whether the file says what the boundary is, as those that write_vtu wrote do
-bool read_space_boundary(const VtuGrid& grid, TetSoup& soup) {
-  const XmlElement* boundary = VtuGrid::find_array(grid.field_data(), vtu_names::boundary);
-  soup.marker_names = grid.read_marker_names();
-  if (boundary == nullptr) return false;
-  soup.faces.clear();
-  const auto add = [&](const std::array<VertexId, 3>& corners, Marker marker) {
-    soup.faces.push_back({corners, marker});
-  };
-  for_each_marked<3>(grid, *boundary, add);
-  if (const XmlElement* interfaces = VtuGrid::find_array(grid.field_data(), vtu_names::interfaces))
-    for_each_marked<3>(grid, *interfaces, add);
-  return true;
-}
-
 }  // namespace
 
 MeshFile parse_vtu(std::string_view bytes, const std::string& source) {
   const XmlElement root = parse_xml(bytes, source, "AppendedData");
   const VtuGrid grid(root, source);
-  CellSoup soup;
+  MeshSoup<2> soup;
   soup.source = source;
-  read_plane_points(grid, soup);
-  read_plane_cells(grid, soup);
-  const bool knows_boundary = read_plane_boundary(grid, soup);
-  const EdgeRule rule = knows_boundary ? EdgeRule::edges_are_the_boundary : EdgeRule::fill_in_the_boundary;
-  return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
+  read_triangle_points(grid, soup);
+  read_triangle_cells(grid, soup);
+  return finish(grid, std::move(soup));
 }
 
 TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source) {
   const XmlElement root = parse_xml(bytes, source, "AppendedData");
   const VtuGrid grid(root, source);
-  TetSoup soup;
+  MeshSoup<3> soup;
   soup.source = source;
   soup.points = PerId<VertexId, Point3>(grid.read_points());
-  soup.vertex_markers = grid.read_vertex_markers();
-  soup.point_fields = grid.read_point_fields(soup.warnings);
-  read_space_cells(grid, soup);
-  const bool knows_boundary = read_space_boundary(grid, soup);
-  const FaceRule rule = knows_boundary ? FaceRule::boundary_and_interfaces : FaceRule::fill_in_the_boundary;
-  return with_name_for_1(assemble(std::move(soup), rule), knows_boundary);
+  read_tet_cells(grid, soup);
+  return finish(grid, std::move(soup));
 }
 
 MeshFile read_vtu(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/formats/field_checks.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
@@ -61,35 +62,24 @@ std::vector<double> with_third_component(const std::vector<double>& pairs) {
 }
 
 /// Rows of the vertices and the marker of each.
-std::vector<std::int64_t> rows_of(const std::vector<MarkedEdge>& edges) {
+template <int Dim>
+std::vector<std::int64_t> rows_of(const std::vector<typename Simplex<Dim>::MarkedFacet>& facets) {
   std::vector<std::int64_t> rows;
-  for (const MarkedEdge& edge : edges)
-    rows.insert(rows.end(), {static_cast<std::int64_t>(edge.from.index()),
-                             static_cast<std::int64_t>(edge.to.index()), std::int64_t{edge.marker}});
-  return rows;
-}
-std::vector<std::int64_t> rows_of(const std::vector<MarkedFace>& faces) {
-  std::vector<std::int64_t> rows;
-  for (const MarkedFace& face : faces) {
-    for (const VertexId v : face.corners) rows.push_back(static_cast<std::int64_t>(v.index()));
-    rows.push_back(face.marker);
+  for (const auto& facet : facets) {
+    for (const VertexId v : Simplex<Dim>::corners_of(facet))
+      rows.push_back(static_cast<std::int64_t>(v.index()));
+    rows.push_back(facet.marker);
   }
   return rows;
 }
 
-void write_boundary(VtuText& text, const TriangleMesh& mesh) {
-  text.array(vtu_names::boundary, 3, rows_of(mesh.boundary), true);
-  if (!mesh.constraints.empty()) text.array(vtu_names::constraints, 3, rows_of(mesh.constraints), true);
-}
-void write_boundary(VtuText& text, const TetMesh& mesh) {
-  text.array(vtu_names::boundary, 4, rows_of(mesh.boundary), true);
-  if (!mesh.interfaces.empty()) text.array(vtu_names::interfaces, 4, rows_of(mesh.interfaces), true);
-}
-
-template <class Mesh>
-void write_field_data(VtuText& text, const Mesh& mesh) {
+template <int Dim>
+void write_field_data(VtuText& text, const SimplexMesh<Dim>& mesh) {
   text.line("<FieldData>");
-  write_boundary(text, mesh);
+  text.array(vtu_names::boundary, Dim + 1, rows_of<Dim>(mesh.boundary), true);
+  if (!mesh.inner_facets().empty())
+    text.array(Dim == 2 ? vtu_names::constraints : vtu_names::interfaces, Dim + 1,
+               rows_of<Dim>(mesh.inner_facets()), true);
   if (!mesh.marker_names.empty()) {
     std::vector<std::int64_t> numbers;
     std::vector<std::uint8_t> names;
@@ -123,8 +113,8 @@ void write_fields(VtuText& text, const std::vector<Field>& fields) {
 Point3 in_space(Point2 p) { return {p.x, p.y, 0}; }
 const Point3& in_space(const Point3& p) { return p; }
 
-template <class Mesh>
-void write_grid(VtuText& text, const Mesh& mesh, std::uint8_t cell_type) {
+template <int Dim>
+void write_grid(VtuText& text, const SimplexMesh<Dim>& mesh) {
   text.line("<Points>");
   std::vector<double> coordinates;
   coordinates.reserve(3 * mesh.vertex_count());
@@ -145,13 +135,14 @@ void write_grid(VtuText& text, const Mesh& mesh, std::uint8_t cell_type) {
   }
   text.array("connectivity", 1, connectivity);
   text.array("offsets", 1, offsets);
-  text.array("types", 1, std::vector<std::uint8_t>(mesh.corners.size(), cell_type));
+  text.array("types", 1,
+             std::vector<std::uint8_t>(mesh.corners.size(), Dim == 2 ? triangle_type : tetrahedron_type));
   text.line("</Cells>");
 }
 
-template <class Mesh>
-std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields,
-                   const std::vector<CellField>& cell_fields, std::uint8_t cell_type) {
+template <int Dim>
+std::string format(const SimplexMesh<Dim>& mesh, const std::vector<PointField>& point_fields,
+                   const std::vector<CellField>& cell_fields) {
   check_fields(point_fields, mesh.vertex_count(), {vtu_names::vertex_marker});
   check_fields(cell_fields, mesh.corners.size(), {vtu_names::region});
   VtuText text;
@@ -173,7 +164,7 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields
   write_fields(text, cell_fields);
   if (!mesh.regions.empty()) text.array(vtu_names::region, 1, mesh.regions.flat());
   text.line("</CellData>");
-  write_grid(text, mesh, cell_type);
+  write_grid(text, mesh);
   text.line("</Piece>");
   text.line("</UnstructuredGrid>");
   return std::move(text).finish();
@@ -183,11 +174,13 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields
 
 std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& point_fields,
                        const std::vector<CellField>& cell_fields) {
-  return format(mesh, point_fields, cell_fields, triangle_type);
+  mesh::require_ids_in_range(mesh);
+  return format(mesh, point_fields, cell_fields);
 }
 std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& point_fields,
                        const std::vector<CellField>& cell_fields) {
-  return format(mesh, point_fields, cell_fields, tetrahedron_type);
+  mesh::require_ids_in_range(mesh);
+  return format(mesh, point_fields, cell_fields);
 }
 
 void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,

@@ -16,9 +16,10 @@ int main() {
   for (std::size_t i = 0; i < 6; ++i) letter.segments.push_back({i, (i + 1) % 6, 1});
   for (std::size_t i = 0; i < 4; ++i) letter.segments.push_back({6 + i, 6 + (i + 1) % 4, 2});
   letter.holes = {{3, 1}};
-  const auto [outcome, mesh, vertex_of_input, repairs] = delaunay::triangulate(letter);
-  claim(outcome == delaunay::TriangulateOutcome::done, "it is done");
-  claim(mesh.vertex_count() == 10 && vertex_of_input.size() == 10, "no vertex was added");
+  const delaunay::Triangulation result = delaunay::triangulate(letter);
+  const TriangleMesh& mesh = result.mesh;
+  claim(result.outcome == delaunay::TriangulateOutcome::done, "it is done");
+  claim(mesh.vertex_count() == 10 && result.vertex_of_input.size() == 10, "no vertex was added");
   claim(mesh.triangle_count() == 10, "n + 2 h - 2 triangles");
   claim(mesh::exact_area2(mesh) == 2 * (4 * 2 + 2 * 3 - 1), "they cover the polygon without its hole");
   claim(!mesh::validate(mesh) && !mesh::validate_delaunay(mesh), "the mesh is valid and constrained Delaunay");

@@ -6,7 +6,7 @@
 
 #include "leonhard/mesh/io/file_dimension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
-#include "leonhard/mesh/io/soup/tet_soup.hpp"
+#include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "tests/mesh/io/folder.hpp"
 #include "tests/mesh/io/sample_tet_meshes.hpp"
 
@@ -15,12 +15,12 @@ using namespace leonhard::test;
 
 namespace {
 
-io::TetSoup soup_of(const TetMesh& mesh) {
-  io::TetSoup soup;
+io::MeshSoup<3> soup_of(const TetMesh& mesh) {
+  io::MeshSoup<3> soup;
   soup.source = "soup";
   soup.points = mesh.points;
-  for (const auto& corners : mesh.corners) soup.cells.push_back({corners, 0});
-  for (const MarkedFace& face : mesh.boundary) soup.faces.push_back({face.corners, face.marker});
+  for (const auto& corners : mesh.corners) soup.cells.push_back({corners, 4});
+  for (const MarkedFace& face : mesh.boundary) soup.facets.push_back({face.corners, face.marker});
   return soup;
 }
 
@@ -112,9 +112,9 @@ TEST_CASE("file_dimension_tells_the_plane_from_space") {
 
 TEST_CASE("inverted_tetrahedra_are_turned_over_with_a_warning_only_if_all_are") {
   const TetMesh mesh = tet_shelf::box(1, 1, 1);
-  io::TetSoup soup = soup_of(mesh);
-  for (io::TetCell& cell : soup.cells) std::swap(cell.corners[2], cell.corners[3]);
-  const TetMeshFile file = io::assemble(soup, io::FaceRule::faces_are_the_boundary);
+  io::MeshSoup<3> soup = soup_of(mesh);
+  for (io::SoupCell& cell : soup.cells) std::swap(cell.corners[2], cell.corners[3]);
+  const TetMeshFile file = io::assemble(soup, io::FacetRule::facets_are_the_boundary);
   CHECK(file.mesh.corners == mesh.corners);
   REQUIRE(file.warnings.size() == 1);
   CHECK(file.warnings[0].find("all 6 tetrahedra are inverted") == 0);
@@ -122,7 +122,7 @@ TEST_CASE("inverted_tetrahedra_are_turned_over_with_a_warning_only_if_all_are") 
   std::swap(soup.cells[2].corners[0], soup.cells[2].corners[1]);
   soup.cells[2].line = 12;
   const std::string message =
-      refusal([&] { (void)io::assemble(soup, io::FaceRule::faces_are_the_boundary); });
+      refusal([&] { (void)io::assemble(soup, io::FacetRule::facets_are_the_boundary); });
   CHECK(message.find(
             "soup:12: 1 of 6 tetrahedra are of positive volume unlike the others: tetrahedron 2 (vertices") ==
         0);
@@ -130,21 +130,22 @@ TEST_CASE("inverted_tetrahedra_are_turned_over_with_a_warning_only_if_all_are") 
 
 TEST_CASE("unlisted_boundary_faces_get_the_marker_of_their_vertices_or_the_first_number_that_is_free") {
   const TetMesh mesh = two_tets();
-  io::TetSoup soup = soup_of(mesh);
-  soup.faces.erase(soup.faces.begin(), soup.faces.begin() + 4);
-  for (io::TetFace& face : soup.faces) face.marker = 1;
+  io::MeshSoup<3> soup = soup_of(mesh);
+  soup.facets.erase(soup.facets.begin(), soup.facets.begin() + 4);
+  for (io::SoupFacet<3>& face : soup.facets) face.marker = 1;
   soup.marker_names = {{2, "two"}};
   soup.vertex_markers = {5, 5, 5, 0, 0};
-  const TetMeshFile file = io::assemble(soup, io::FaceRule::fill_in_the_boundary);
+  const TetMeshFile file = io::assemble(soup, io::FacetRule::fill_in_the_boundary);
   REQUIRE(file.warnings.size() == 1);
   CHECK(file.warnings[0] ==
         "4 of 6 boundary faces have no marker in the file; they got the marker their three vertices share, "
         "or 3");
   CHECK_FALSE(mesh::validate(file.mesh));
   for (const MarkedFace& face : file.mesh.boundary) {
-    const bool is_listed = std::any_of(soup.faces.begin(), soup.faces.end(), [&](const io::TetFace& f) {
-      return mesh::sorted_facet(f.corners).corners == mesh::sorted_facet(face.corners).corners;
-    });
+    const bool is_listed =
+        std::any_of(soup.facets.begin(), soup.facets.end(), [&](const io::SoupFacet<3>& f) {
+          return mesh::sorted_facet(f.corners).corners == mesh::sorted_facet(face.corners).corners;
+        });
     const bool is_bottom =
         mesh::sorted_facet(face.corners).corners == std::array{VertexId{0}, VertexId{1}, VertexId{2}};
     CHECK(face.marker == (is_listed ? 1 : is_bottom ? 5 : 3));
@@ -152,72 +153,72 @@ TEST_CASE("unlisted_boundary_faces_get_the_marker_of_their_vertices_or_the_first
 }
 
 TEST_CASE("listed_inner_faces_are_interfaces_unless_their_marker_is_0") {
-  io::TetSoup soup = soup_of(two_tets());
-  soup.faces.push_back({{VertexId{3}, VertexId{2}, VertexId{1}}, 8, 20});
-  const TetMesh mesh = io::assemble(soup, io::FaceRule::fill_in_the_boundary).mesh;
+  io::MeshSoup<3> soup = soup_of(two_tets());
+  soup.facets.push_back({{VertexId{3}, VertexId{2}, VertexId{1}}, 8, 20});
+  const TetMesh mesh = io::assemble(soup, io::FacetRule::fill_in_the_boundary).mesh;
   CHECK(mesh.interfaces == std::vector<MarkedFace>{{{VertexId{3}, VertexId{2}, VertexId{1}}, 8}});
-  CHECK(refusal([&] { (void)io::assemble(soup, io::FaceRule::faces_are_the_boundary); }).find("3-2-1") !=
+  CHECK(refusal([&] { (void)io::assemble(soup, io::FacetRule::facets_are_the_boundary); }).find("3-2-1") !=
         std::string::npos);
-  soup.faces.back().marker = 0;
-  CHECK(io::assemble(soup, io::FaceRule::fill_in_the_boundary).mesh.interfaces.empty());
+  soup.facets.back().marker = 0;
+  CHECK(io::assemble(soup, io::FacetRule::fill_in_the_boundary).mesh.interfaces.empty());
 }
 
 TEST_CASE("soups_that_are_no_mesh_are_refused_with_ids_and_lines") {
-  const io::TetSoup good = soup_of(tet_shelf::box(1, 1, 1));
+  const io::MeshSoup<3> good = soup_of(tet_shelf::box(1, 1, 1));
   const auto complaint = [&](auto&& spoil) {
-    io::TetSoup soup = good;
+    io::MeshSoup<3> soup = good;
     spoil(soup);
-    return refusal([&] { (void)io::assemble(soup, io::FaceRule::faces_are_the_boundary); });
+    return refusal([&] { (void)io::assemble(soup, io::FacetRule::facets_are_the_boundary); });
   };
   const auto has = [](const std::string& text, const char* part) {
     CHECK_MESSAGE(text.find(part) != std::string::npos, part, " in: ", text);
   };
-  has(complaint([](io::TetSoup& s) { s.points.clear(); }), "no points");
-  has(complaint([](io::TetSoup& s) { s.cells.clear(); }), "no tetrahedra");
-  has(complaint([](io::TetSoup& s) { s.points[VertexId{3}].z = std::nan(""); }), "vertex 3 is at (");
-  has(complaint([](io::TetSoup& s) {
+  has(complaint([](io::MeshSoup<3>& s) { s.points.clear(); }), "no points");
+  has(complaint([](io::MeshSoup<3>& s) { s.cells.clear(); }), "no tetrahedra");
+  has(complaint([](io::MeshSoup<3>& s) { s.points[VertexId{3}].z = std::nan(""); }), "vertex 3 is at (");
+  has(complaint([](io::MeshSoup<3>& s) {
         s.cells[1] = {{VertexId{0}, VertexId{1}, VertexId{2}, VertexId{8}}, 9};
       }),
       "soup:9: tetrahedron 1 names vertex 8, but the file has only vertices 0 to 7");
-  has(complaint([](io::TetSoup& s) {
-        s.faces[1] = {{VertexId{0}, VertexId{1}, VertexId{88}}, 1, 30};
+  has(complaint([](io::MeshSoup<3>& s) {
+        s.facets[1] = {{VertexId{0}, VertexId{1}, VertexId{88}}, 1, 30};
       }),
       "soup:30: the marked face 0-1-88 names vertex 88");
-  has(complaint([](io::TetSoup& s) { s.cells[0].corners[1] = s.cells[0].corners[0]; }),
+  has(complaint([](io::MeshSoup<3>& s) { s.cells[0].corners[1] = s.cells[0].corners[0]; }),
       "tetrahedron 0 (vertices");
-  has(complaint([](io::TetSoup& s) { s.cells[0].corners[1] = s.cells[0].corners[0]; }), "has no volume");
-  has(complaint([](io::TetSoup& s) { s.cells.push_back(s.cells[4]); }), "tetrahedron 6");
-  has(complaint([](io::TetSoup& s) { s.cells.pop_back(); }), "is no boundary face");
-  has(complaint([](io::TetSoup& s) {
+  has(complaint([](io::MeshSoup<3>& s) { s.cells[0].corners[1] = s.cells[0].corners[0]; }), "has no volume");
+  has(complaint([](io::MeshSoup<3>& s) { s.cells.push_back(s.cells[4]); }), "tetrahedron 6");
+  has(complaint([](io::MeshSoup<3>& s) { s.cells.pop_back(); }), "is no boundary face");
+  has(complaint([](io::MeshSoup<3>& s) {
         s.points.push_back({0.5, 0.25, -1});
         s.points.push_back({0.5, 0.25, -2});
-        const auto& face = s.faces.front().corners;
+        const auto& face = s.facets.front().corners;
         s.cells.push_back({{face[0], face[2], face[1], VertexId{8}}, 0});
         s.cells.push_back({{face[0], face[2], face[1], VertexId{9}}, 0});
       }),
       "tetrahedr");
-  has(complaint([](io::TetSoup& s) { s.points.push_back({9, 9, 9}); }), "vertex 8 at (9, 9, 9)");
-  has(complaint([](io::TetSoup& s) {
-        s.faces.front().line = 5;
-        s.faces.push_back(s.faces.front());
-        s.faces.back().line = 6;
-        s.faces.back().marker = 2;
+  has(complaint([](io::MeshSoup<3>& s) { s.points.push_back({9, 9, 9}); }), "vertex 8 at (9, 9, 9)");
+  has(complaint([](io::MeshSoup<3>& s) {
+        s.facets.front().line = 5;
+        s.facets.push_back(s.facets.front());
+        s.facets.back().line = 6;
+        s.facets.back().marker = 2;
       }),
       "comes a second time, after line 5 (markers 1 and 2)");
-  has(complaint([](io::TetSoup& s) { s.faces.pop_back(); }), "has no marker");
+  has(complaint([](io::MeshSoup<3>& s) { s.facets.pop_back(); }), "has no marker");
 }
 
 TEST_CASE("tetrahedra_that_overlap_are_refused_though_each_is_positive") {
-  io::TetSoup soup = soup_of(two_tets());
-  const io::TetSoup again = soup_of(two_tets());  // the same, a little aside
+  io::MeshSoup<3> soup = soup_of(two_tets());
+  const io::MeshSoup<3> again = soup_of(two_tets());  // the same, a little aside
   for (Point3 p : again.points) soup.points.push_back({p.x + 0.25, p.y, p.z});
   const auto moved = [](auto corners) {
     for (VertexId& v : corners) v.raw += 5;
     return corners;
   };
-  for (const io::TetCell& cell : again.cells) soup.cells.push_back({moved(cell.corners), 0});
-  for (const io::TetFace& face : again.faces) soup.faces.push_back({moved(face.corners), face.marker});
+  for (const io::SoupCell& cell : again.cells) soup.cells.push_back({moved(cell.corners), 4});
+  for (const io::SoupFacet<3>& face : again.facets) soup.facets.push_back({moved(face.corners), face.marker});
   CHECK(refusal([&] {
-          (void)io::assemble(soup, io::FaceRule::faces_are_the_boundary);
+          (void)io::assemble(soup, io::FacetRule::facets_are_the_boundary);
         }).find("soup: the mesh is tangled: ") == 0);
 }
