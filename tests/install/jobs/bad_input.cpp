@@ -448,8 +448,8 @@ void try_delaunay() {
           [&] { return sites3.point(gone3); });
   refuses("DynamicTetrahedralization::point of a foreign id", "vertex 4000000",
           [&] { return sites3.point(foreign); });
-  refuses("DynamicTetrahedralization::tetrahedra_at of a foreign id", "vertex 4000000",
-          [&] { return sites3.tetrahedra_at(foreign); });
+  refuses("DynamicTetrahedralization::tets_at of a foreign id", "vertex 4000000",
+          [&] { return sites3.tets_at(foreign); });
   refuses("DynamicTetrahedralization::insert NaN", "nan", [&] { return sites3.insert({0, nan_, 0}); });
 
   refuses("DelaunayTree of NaN", "point 7", [&] { return DelaunayTree(with_nan); });
