@@ -12,7 +12,7 @@ namespace leonhard::graph {
 namespace {
 
 using Vertex = std::uint32_t;
-using Edge = std::uint32_t;
+using EdgeNumber = std::uint32_t;
 using Colour = std::uint32_t;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -36,26 +36,26 @@ class PartialColouring {
     }
     at_.resize(first_.back());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (Edge e = 0; e < edges_.size(); ++e)
+    for (EdgeNumber e = 0; e < edges_.size(); ++e)
       for (const Vertex end : edges_[e]) at_[next[end]++] = e;
   }
 
-  [[nodiscard]] Edge edge_count() const { return static_cast<Edge>(edges_.size()); }
+  [[nodiscard]] EdgeNumber edge_count() const { return static_cast<EdgeNumber>(edges_.size()); }
   [[nodiscard]] Colour colours() const { return colours_; }
-  [[nodiscard]] const std::array<Vertex, 2>& ends(Edge e) const { return edges_[e]; }
-  [[nodiscard]] Vertex other_end(Edge e, Vertex v) const {
+  [[nodiscard]] const std::array<Vertex, 2>& ends(EdgeNumber e) const { return edges_[e]; }
+  [[nodiscard]] Vertex other_end(EdgeNumber e, Vertex v) const {
     return edges_[e][0] == v ? edges_[e][1] : edges_[e][0];
   }
-  [[nodiscard]] std::span<const Edge> edges_at(Vertex v) const {
+  [[nodiscard]] std::span<const EdgeNumber> edges_at(Vertex v) const {
     return std::span(at_).subspan(first_[v], first_[v + std::size_t{1}] - first_[v]);
   }
-  [[nodiscard]] Colour colour(Edge e) const { return colour_of_[e]; }
+  [[nodiscard]] Colour colour(EdgeNumber e) const { return colour_of_[e]; }
   [[nodiscard]] const std::vector<Colour>& all() const { return colour_of_; }
 
   /// The edge of a colour at v, or none.
-  [[nodiscard]] Edge edge_of(Vertex v, Colour c) const {
+  [[nodiscard]] EdgeNumber edge_of(Vertex v, Colour c) const {
     if (table_[v] != no_table) return entries_[table_[v] + c];
-    for (const Edge e : edges_at(v))
+    for (const EdgeNumber e : edges_at(v))
       if (colour_of_[e] == c) return e;
     return none;
   }
@@ -69,7 +69,7 @@ class PartialColouring {
   /// All colours free at v, ascending.
   [[nodiscard]] std::vector<Colour> free_colours(Vertex v) const {
     std::vector<char> taken(colours_, 0);
-    for (const Edge e : edges_at(v))
+    for (const EdgeNumber e : edges_at(v))
       if (colour_of_[e] != none) taken[colour_of_[e]] = 1;
     std::vector<Colour> free;
     for (Colour c = 0; c < colours_; ++c)
@@ -77,33 +77,33 @@ class PartialColouring {
     return free;
   }
 
-  void set(Edge e, Colour c) {
+  void set(EdgeNumber e, Colour c) {
     colour_of_[e] = c;
     for (const Vertex end : edges_[e])
       if (table_[end] != no_table) entries_[table_[end] + c] = e;
   }
-  void clear(Edge e) {
+  void clear(EdgeNumber e) {
     for (const Vertex end : edges_[e])
       if (table_[end] != no_table) entries_[table_[end] + colour_of_[e]] = none;
     colour_of_[e] = none;
   }
 
   /// The path of colours a and b in turn that begins at v with a; its last vertex.
-  Vertex follow_path(Vertex v, Colour a, Colour b, std::vector<Edge>& path) const {
+  Vertex follow_path(Vertex v, Colour a, Colour b, std::vector<EdgeNumber>& path) const {
     path.clear();
     for (Colour c = a;; c = c == a ? b : a) {
-      const Edge e = edge_of(v, c);
+      const EdgeNumber e = edge_of(v, c);
       if (e == none) return v;
       path.push_back(e);
       v = other_end(e, v);
     }
   }
   /// Exchanges the two colours along a path.
-  void flip(const std::vector<Edge>& path, Colour a, Colour b) {
+  void flip(const std::vector<EdgeNumber>& path, Colour a, Colour b) {
     if (path.empty()) return;
     Colour c = colour_of_[path.front()];
-    for (const Edge e : path) clear(e);
-    for (const Edge e : path) set(e, c = c == a ? b : a);
+    for (const EdgeNumber e : path) clear(e);
+    for (const EdgeNumber e : path) set(e, c = c == a ? b : a);
   }
 
  private:
@@ -114,15 +114,15 @@ class PartialColouring {
   Colour colours_;
   std::vector<Colour> colour_of_;
   std::vector<std::size_t> first_;  ///< per vertex: where its edges begin in at_
-  std::vector<Edge> at_;
+  std::vector<EdgeNumber> at_;
   std::vector<std::size_t> table_;  ///< per vertex: where its table begins in entries_, or no_table
-  std::vector<Edge> entries_;       ///< per colour the edge, or none
+  std::vector<EdgeNumber> entries_;       ///< per colour the edge, or none
   std::vector<Colour> hint_;
 };
 
 /// Colours e by exchanging the colours of an alternating path so that one colour becomes free at both ends. Always
 /// works where the graph is bipartite and each end has a free colour.
-bool colour_by_path(PartialColouring& colouring, Edge e, Colour a, Colour b, std::vector<Edge>& path) {
+bool colour_by_path(PartialColouring& colouring, EdgeNumber e, Colour a, Colour b, std::vector<EdgeNumber>& path) {
   const auto [u, v] = colouring.ends(e);  // a is free at u, b at v
   if (a != b && !colouring.is_free(v, a)) {
     if (colouring.follow_path(v, a, b, path) == u) return false;
@@ -139,19 +139,19 @@ class MisraGries {
   MisraGries(const CsrGraph& graph, Colour colours) : colouring_(graph, colours) {}
 
   std::vector<Colour> run(detail::StepCounter& steps) {
-    for (Edge e = 0; e < colouring_.edge_count() && steps.step(); ++e) colour(e);
+    for (EdgeNumber e = 0; e < colouring_.edge_count() && steps.step(); ++e) colour(e);
     return colouring_.all();
   }
 
  private:
   /// Edges at u, of which each but the first has a colour that is free at the other end of the one before.
-  void build_fan(Vertex u, Edge first) {
+  void build_fan(Vertex u, EdgeNumber first) {
     fan_.assign(1, first);
     bool longer = true;
     while (longer) {
       longer = false;
       const Vertex last = colouring_.other_end(fan_.back(), u);
-      for (const Edge e : colouring_.edges_at(u)) {
+      for (const EdgeNumber e : colouring_.edges_at(u)) {
         const Colour c = colouring_.colour(e);
         if (c == none || !colouring_.is_free(last, c) || std::ranges::find(fan_, e) != fan_.end()) continue;
         fan_.push_back(e);
@@ -161,7 +161,7 @@ class MisraGries {
     }
   }
 
-  void colour(Edge e) {
+  void colour(EdgeNumber e) {
     const Vertex u = colouring_.ends(e)[0];
     build_fan(u, e);
     const Colour c = colouring_.free_colour(u),
@@ -185,7 +185,7 @@ class MisraGries {
   }
 
   PartialColouring colouring_;
-  std::vector<Edge> fan_, path_;
+  std::vector<EdgeNumber> fan_, path_;
 };
 
 // ---- Delta ----
@@ -198,11 +198,11 @@ class DeltaAttempt {
 
   /// Whether all edges could be coloured with so many others in the way.
   bool run(std::size_t patience, detail::StepCounter& steps) {
-    for (Edge e = 0; e < colouring_.edge_count(); ++e) todo_.push_back(e);
+    for (EdgeNumber e = 0; e < colouring_.edge_count(); ++e) todo_.push_back(e);
     for (std::size_t i = todo_.size(); i > 1; --i) std::swap(todo_[i - 1], todo_[random_() % i]);
     for (std::size_t failures = 0; !todo_.empty();) {
       if (!steps.step()) return false;
-      const Edge e = todo_.back();
+      const EdgeNumber e = todo_.back();
       todo_.pop_back();
       if (colour(e)) continue;
       if (++failures > patience) return false;
@@ -214,7 +214,7 @@ class DeltaAttempt {
 
  private:
   /// Nearly always the first colours at hand do; else all pairs of free colours are tried.
-  bool colour(Edge e) {
+  bool colour(EdgeNumber e) {
     const auto [u, v] = colouring_.ends(e);
     const Colour first_u = colouring_.free_colour(u), first_v = colouring_.free_colour(v);
     if (colouring_.is_free(u, first_v)) {
@@ -230,12 +230,12 @@ class DeltaAttempt {
   }
 
   /// Gives e a colour free at one end and takes it from the edge that has it at the other, which waits its turn.
-  void make_way(Edge e) {
+  void make_way(EdgeNumber e) {
     const std::size_t which = random_() % 2;
     const Vertex end = colouring_.ends(e)[which];
     const std::vector<Colour> free = colouring_.free_colours(end);
     const Colour c = free[random_() % free.size()];
-    const Edge in_the_way = colouring_.edge_of(colouring_.other_end(e, end), c);
+    const EdgeNumber in_the_way = colouring_.edge_of(colouring_.other_end(e, end), c);
     colouring_.clear(in_the_way);
     colouring_.set(e, c);
     todo_.push_back(in_the_way);
@@ -243,13 +243,13 @@ class DeltaAttempt {
 
   PartialColouring colouring_;
   std::mt19937_64 random_;
-  std::vector<Edge> todo_, path_;
+  std::vector<EdgeNumber> todo_, path_;
 };
 
 std::vector<Colour> colour_bipartite(const CsrGraph& graph, Colour colours, detail::StepCounter& steps) {
   PartialColouring colouring(graph, colours);
-  std::vector<Edge> path;
-  for (Edge e = 0; e < colouring.edge_count() && steps.step(); ++e) {
+  std::vector<EdgeNumber> path;
+  for (EdgeNumber e = 0; e < colouring.edge_count() && steps.step(); ++e) {
     const auto [u, v] = colouring.ends(e);
     static_cast<void>(colour_by_path(colouring, e, colouring.free_colour(u), colouring.free_colour(v), path));
   }
