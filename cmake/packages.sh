@@ -26,22 +26,23 @@ in_words() {
 
 # show_progress WORDS [LOG]: reads the output of apt-get or ninja (with NINJA_STATUS='[%f %t] ') and says within ten
 # seconds, on a terminal every second in the same place, how far it is, also while nothing comes. Where there is a log the
-# lines go there; of others those that are not progress, such as a compiler's errors, are shown.
+# lines go there; of others those of a step that failed are shown.
 show_progress() {
   local words=$1 log=${2:-} start=$SECONDS told=$SECONDS every=9 clear="" width=0
-  local line="" part state="" finished=0 total=0 due=0 said
+  local line="" part state="" finished=0 total=0 due=0 failed="" said
   if [ -t 2 ]; then every=1 clear=$'\r\033[K' width=$(tput cols 2>/dev/null || echo 80); fi
   while :; do
     if IFS= read -r -t 1 part; then
       line+=$part
       if [[ $line =~ ^\[([0-9]+)\ ([0-9]+)\]\  ]]; then  # ninja's: finished, total
-        finished=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+        finished=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]} failed=""
         if [ "$finished" -gt 0 ]; then due=$((SECONDS + (SECONDS - start) * (total - finished) / finished)); fi
       elif [ -n "$log" ]; then
         printf '%s\n' "$line" >>"$log"
         case $line in Get:* | Unpacking* | "Setting up"*) state=${line%% (*} ;; esac
-      elif [[ ! $line =~ ^(--\ |ninja:\ Entering) ]]; then
-        printf '%s%s\n' "$clear" "$line" >&2
+      else
+        if [[ $line =~ ^(FAILED:|ninja:\ error|ninja:\ build|CMake\ Error) ]]; then failed=1; fi
+        if [ -n "$failed" ]; then printf '%s%s\n' "$clear" "$line" >&2; fi
       fi
       line=""
     elif [ $? -gt 128 ]; then  # nothing more came for a second
