@@ -4,7 +4,8 @@
 # with warnings as errors, and again through pkg-config.
 #   run.sh BUILD FOLDER COMPILER [LINK_FLAGS]   installs BUILD under FOLDER and uses it with COMPILER
 #   run.sh --all FOLDER                         builds the library four times, by gcc and clang, static and shared, and once from
-#                                               C++20, Boost and GMP alone; takes long. LAUNCHER=ccache is heeded.
+#                                               C++20, Boost and GMP alone, with each public header alone; takes long.
+#                                               LAUNCHER=ccache and JOBS are heeded.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 source=$(cd "$here/../.." && pwd)
@@ -77,6 +78,7 @@ for compiler in g++ clang++; do
     folder=$all/$compiler-shared-$shared
     build_library "$folder" "$compiler" -DBUILD_SHARED_LIBS=$shared "${peers[@]}"
     check_installed "$folder/prefix" "$folder/programs" "$compiler" ""
+    "$here/headers.sh" "$folder/library" "$folder/headers" "$compiler"
     rm -rf "$folder"
   done
 done
