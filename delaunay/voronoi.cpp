@@ -50,10 +50,12 @@ void refuse_what_is_not_convex(const TriangleMesh& mesh) {
   if (mesh.boundary.empty()) throw InputError("voronoi_diagram", "the mesh lists no boundary", remedy);
   std::size_t length = 0;
   const VertexId start = mesh.boundary.front().from;
-  for (MaybeId<VertexId> v = start; v && (length == 0 || v != MaybeId<VertexId>(start));
-       v = next[*v], ++length)
-    if (length >= mesh.boundary.size()) break;
-  if (length != mesh.boundary.size())
+  MaybeId<VertexId> v = start;
+  do {
+    v = next[*v];
+    ++length;
+  } while (v && v != MaybeId<VertexId>(start) && length < mesh.boundary.size());
+  if (v != MaybeId<VertexId>(start) || length != mesh.boundary.size())
     throw InputError("voronoi_diagram", "the mesh's boundary is not a single loop", remedy);
   for (const MarkedEdge& edge : mesh.boundary) {
     const Point2 a = mesh.points[edge.from], b = mesh.points[edge.to], c = mesh.points[*next[edge.to]];

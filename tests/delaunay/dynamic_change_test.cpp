@@ -238,6 +238,8 @@ TEST_CASE("bad_points_and_dead_vertices_are_refused_and_nothing_changes") {
   sites.remove(VertexId{5});
   CHECK_THROWS_WITH_AS(sites.remove(VertexId{5}), doctest::Contains("vertex 5"), InputError);
   CHECK_THROWS_AS((void)sites.neighbours(VertexId{5}), InputError);
+  CHECK_THROWS_WITH_AS((void)sites.point(VertexId{5}), doctest::Contains("vertex 5"), InputError);
+  CHECK_THROWS_WITH_AS((void)sites.point(VertexId{4000}), doctest::Contains("vertex 4000"), InputError);
   CHECK(sites.insert({1, 1}).vertex == VertexId{5});
   CHECK(sites.fingerprint() == before);
 }

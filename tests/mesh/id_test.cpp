@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <unordered_map>
 #include <vector>
@@ -61,4 +62,13 @@ TEST_CASE("ids_are_keys_of_hashed_containers") {
   ++behind[MaybeId<TriangleId>()];
   CHECK(behind.size() == 2);
   CHECK(behind[MaybeId<TriangleId>()] == 2);
+}
+
+TEST_CASE("an_id_beyond_what_ids_can_number_is_refused_and_does_not_wrap") {
+  constexpr std::size_t least_too_large = std::numeric_limits<IdRaw>::max();
+  CHECK(VertexId::from(least_too_large - 1).index() == least_too_large - 1);
+  CHECK_THROWS_AS(static_cast<void>(VertexId::from(least_too_large)), InputError);
+  CHECK(IdRange<VertexId>(least_too_large).size() == least_too_large);
+  if constexpr (sizeof(IdRaw) < sizeof(std::size_t))
+    CHECK_THROWS_AS(static_cast<void>(IdRange<VertexId>(least_too_large + 1)), InputError);
 }

@@ -20,7 +20,7 @@ namespace {
 
 /// The words of the InputError that a call throws; empty if it does not.
 template <class Call>
-std::string refusal(const Call& call) {
+std::string words_of_refusal(const Call& call) {
   try {
     static_cast<void>(call());
   } catch (const InputError& error) {
@@ -40,10 +40,10 @@ TEST_CASE("duals_and_the_account_of_triangles_refuse_edges_of_another_mesh") {
       const bool same = edges.ends == mesh::build_edges(one.mesh).ends &&
                         edges.sides == mesh::build_edges(one.mesh).sides &&
                         one.mesh.vertex_count() == other.mesh.vertex_count();
-      CHECK(refusal([&] { return mesh::median_dual(one.mesh, edges); }).empty() == same);
-      CHECK(refusal([&] { return mesh::centroid_dual(one.mesh, edges); }).empty() == same);
-      CHECK(refusal([&] { return mesh::dirichlet_dual(one.mesh, edges); }).empty() == same);
-      if (refusal([&] { return mesh::euler_account(one.mesh, edges); }).empty() && !same)
+      CHECK(words_of_refusal([&] { return mesh::median_dual(one.mesh, edges); }).empty() == same);
+      CHECK(words_of_refusal([&] { return mesh::centroid_dual(one.mesh, edges); }).empty() == same);
+      CHECK(words_of_refusal([&] { return mesh::dirichlet_dual(one.mesh, edges); }).empty() == same);
+      if (words_of_refusal([&] { return mesh::euler_account(one.mesh, edges); }).empty() && !same)
         CHECK_FALSE(mesh::euler_account(one.mesh, edges).balances());
     }
   }
@@ -55,20 +55,22 @@ TEST_CASE("the_duals_of_triangles_refuse_an_edge_less_and_name_an_edge_that_is_t
   EdgeStructure fewer = edges;
   fewer.ends.flat().pop_back();
   fewer.sides.flat().pop_back();
-  CHECK_FALSE(refusal([&] { return mesh::median_dual(mesh, fewer); }).empty());
+  CHECK_FALSE(words_of_refusal([&] { return mesh::median_dual(mesh, fewer); }).empty());
   fewer.first_edge.back() = static_cast<IdRaw>(fewer.edge_count());
-  CHECK_FALSE(refusal([&] { return mesh::median_dual(mesh, fewer); }).empty());
+  CHECK_FALSE(words_of_refusal([&] { return mesh::median_dual(mesh, fewer); }).empty());
   EdgeStructure turned = edges;
   std::swap(turned.sides.flat()[1][0], turned.sides.flat()[1][1]);
-  CHECK(refusal([&] { return mesh::median_dual(mesh, turned); }).find("edges: edge 1, from vertex") == 0);
+  CHECK(words_of_refusal([&] {
+          return mesh::median_dual(mesh, turned);
+        }).find("edges: edge 1, from vertex") == 0);
   EdgeStructure without_sides = edges;
   without_sides.sides.flat()[0] = {};
-  CHECK(refusal([&] {
+  CHECK(words_of_refusal([&] {
           return mesh::euler_account(mesh, without_sides);
         }).find("edges: edge 0, from vertex") == 0);
   TriangleMesh beyond = mesh;
   beyond.boundary.push_back({VertexId::from(0), VertexId::from(999), 1});
-  CHECK(refusal([&] { return mesh::median_dual(beyond, edges); }).find("999") != std::string::npos);
+  CHECK(words_of_refusal([&] { return mesh::median_dual(beyond, edges); }).find("999") != std::string::npos);
 }
 
 TEST_CASE("the_dual_and_the_account_of_tetrahedra_refuse_edges_and_faces_of_another_mesh") {
@@ -81,10 +83,10 @@ TEST_CASE("the_dual_and_the_account_of_tetrahedra_refuse_edges_and_faces_of_anot
       const FaceStructure faces = mesh::build_faces(other.mesh);
       const TetEdges edges = mesh::build_edges(other.mesh);
       const bool same = edges.ends == own_edges.ends && one.mesh.vertex_count() == other.mesh.vertex_count();
-      CHECK(refusal([&] { return mesh::median_dual(one.mesh, edges); }).empty() == same);
-      if (refusal([&] { return mesh::euler_account(one.mesh, own_faces, edges); }).empty() && !same)
+      CHECK(words_of_refusal([&] { return mesh::median_dual(one.mesh, edges); }).empty() == same);
+      if (words_of_refusal([&] { return mesh::euler_account(one.mesh, own_faces, edges); }).empty() && !same)
         CHECK_FALSE(mesh::euler_account(one.mesh, own_faces, edges).balances());
-      if (refusal([&] { return mesh::euler_account(one.mesh, faces, own_edges); }).empty() &&
+      if (words_of_refusal([&] { return mesh::euler_account(one.mesh, faces, own_edges); }).empty() &&
           faces.corners != own_faces.corners)
         CHECK_FALSE(mesh::euler_account(one.mesh, faces, own_edges).balances());
     }
