@@ -9,7 +9,7 @@
 
 #include "leonhard/kernel/arithmetic/exact_range.hpp"
 #include "leonhard/kernel/arithmetic/long_vector.hpp"
-#include "leonhard/kernel/stages/exact.hpp"
+#include "leonhard/kernel/stages/wide_predicates.hpp"
 
 namespace leonhard::kernel {
 namespace {
@@ -159,7 +159,7 @@ Sign compare_power_distance_expansion(const WeightedPoint& p, const WeightedPoin
 Sign power_test_exact(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& c,
                       const WeightedPoint2& d) {
   std::array points{a, b, c, d};
-  if (!fit_weighted<4>(points)) return exact::power_test(a, b, c, d);
+  if (!fit_weighted<4>(points)) return wide_range::power_test(a, b, c, d);
   const auto u = relative(points[0], points[3]);
   const auto v = relative(points[1], points[3]);
   const auto w = relative(points[2], points[3]);
@@ -171,7 +171,7 @@ Sign power_test_exact(const WeightedPoint2& a, const WeightedPoint2& b, const We
 Sign power_test_exact(const WeightedPoint3& a, const WeightedPoint3& b, const WeightedPoint3& c,
                       const WeightedPoint3& d, const WeightedPoint3& e) {
   std::array points{a, b, c, d, e};
-  if (!fit_weighted<5>(points)) return exact::power_test(a, b, c, d, e);
+  if (!fit_weighted<5>(points)) return wide_range::power_test(a, b, c, d, e);
   const auto u = relative(points[0], points[4]);
   const auto v = relative(points[1], points[4]);
   const auto w = relative(points[2], points[4]);
@@ -183,13 +183,13 @@ Sign power_test_exact(const WeightedPoint3& a, const WeightedPoint3& b, const We
 
 Sign compare_power_distance_exact(const Point2& p, const WeightedPoint2& a, const WeightedPoint2& b) {
   std::array points{WeightedPoint2{p, 0}, a, b};
-  if (!fit_weighted<2>(points)) return exact::compare_power_distance(p, a, b);
+  if (!fit_weighted<2>(points)) return wide_range::compare_power_distance(p, a, b);
   return compare_power_distance_expansion(points[0], points[1], points[2]);
 }
 
 Sign compare_power_distance_exact(const Point3& p, const WeightedPoint3& a, const WeightedPoint3& b) {
   std::array points{WeightedPoint3{p, 0}, a, b};
-  if (!fit_weighted<2>(points)) return exact::compare_power_distance(p, a, b);
+  if (!fit_weighted<2>(points)) return wide_range::compare_power_distance(p, a, b);
   return compare_power_distance_expansion(points[0], points[1], points[2]);
 }
 

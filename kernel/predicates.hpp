@@ -12,9 +12,9 @@
 /// included.
 ///
 /// Each predicate has three parts. X_filter, inline, evaluates the determinant in floating point and answers
-/// only if a proven error bound says that the sign is right; X_exact passes through the stages of stage.hpp, which end
-/// with GMP; X tries the one and falls through to the other. NaN and infinities are outside the domain: readers refuse
-/// them.
+/// only if a proven error bound says that the sign is right; X_exact passes through the stages of stage.hpp, the last
+/// of which takes all finite doubles; X tries the one and falls through to the other. NaN and infinities are outside
+/// the domain: readers refuse them.
 ///
 /// filtered_sign.hpp has the notation of the error bounds. Points are taken by reference so that the call of the
 /// exact part costs the inlined filter no copies.
