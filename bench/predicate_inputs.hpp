@@ -59,6 +59,11 @@ inline double any_exponent(Random& random) {
   return std::ldexp(unit(random), std::uniform_int_distribution<int>(-1074, 1024)(random));
 }
 
+/// The same, if a few small factors make no subnormal number and no infinity of it.
+inline double normal_of_any_exponent(Random& random) {
+  return std::ldexp(1 + unit(random), std::uniform_int_distribution<int>(-1000, 1000)(random));
+}
+
 /// An integer below `end`.
 inline double small_integer(Random& random, int end) {
   return std::uniform_int_distribution<int>(0, end - 1)(random);
@@ -103,6 +108,10 @@ inline NamedInputs<Point2, 4> inputs_of_the_plane() {
        })},
       {"mixed_exponents", drawn([](Random& r) {
          return Point2{any_exponent(r), any_exponent(r)};
+       })},
+      {"mixed_line", drawn([](Random& r) {
+         const double x = normal_of_any_exponent(r);
+         return Point2{x, 4 * x};
        })},
   };
 }
@@ -149,6 +158,10 @@ inline NamedInputs<Point3, 5> inputs_of_space() {
        })},
       {"mixed_exponents", drawn([](Random& r) {
          return Point3{any_exponent(r), any_exponent(r), any_exponent(r)};
+       })},
+      {"mixed_plane", drawn([](Random& r) {
+         const double x = normal_of_any_exponent(r);
+         return Point3{x, normal_of_any_exponent(r), 4 * x};
        })},
   };
 }

@@ -49,8 +49,15 @@ class Input {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(tenths) + take<std::uint8_t>() % 4);
   }
 
-  /// A number of one kind: 0 finite, 1 small, 2 nearly_tenths, repeated beyond.
+  /// A small integer times any power of two: makes ties of mixed exponents.
+  [[nodiscard]] double apart() {
+    const double integer = small();
+    return std::ldexp(integer, take<std::uint16_t>() % 2090 - 1074);
+  }
+
+  /// A number of one kind: 0 finite, 1 small, 2 nearly_tenths, repeated below 192; apart from there on.
   [[nodiscard]] double coordinate(unsigned kind) {
+    if (kind >= 192) return apart();
     return kind % 3 == 0 ? finite() : kind % 3 == 1 ? small() : nearly_tenths();
   }
 

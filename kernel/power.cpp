@@ -9,8 +9,8 @@
 
 #include "leonhard/kernel/arithmetic/exact_range.hpp"
 #include "leonhard/kernel/arithmetic/long_vector.hpp"
-#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/kernel/stages/finite.hpp"
+#include "leonhard/kernel/stages/wide_predicates.hpp"
 
 namespace leonhard::kernel {
 namespace {
@@ -160,7 +160,7 @@ Sign power_test_exact(const WeightedPoint2& a, const WeightedPoint2& b, const We
                       const WeightedPoint2& d) {
   detail::require_finite("power_test", a, b, c, d);
   std::array points{a, b, c, d};
-  if (!fit_weighted<4>(points)) return exact::power_test(a, b, c, d);
+  if (!fit_weighted<4>(points)) return wide_range::power_test(a, b, c, d);
   const auto u = relative(points[0], points[3]);
   const auto v = relative(points[1], points[3]);
   const auto w = relative(points[2], points[3]);
@@ -173,7 +173,7 @@ Sign power_test_exact(const WeightedPoint3& a, const WeightedPoint3& b, const We
                       const WeightedPoint3& d, const WeightedPoint3& e) {
   detail::require_finite("power_test", a, b, c, d, e);
   std::array points{a, b, c, d, e};
-  if (!fit_weighted<5>(points)) return exact::power_test(a, b, c, d, e);
+  if (!fit_weighted<5>(points)) return wide_range::power_test(a, b, c, d, e);
   const auto u = relative(points[0], points[4]);
   const auto v = relative(points[1], points[4]);
   const auto w = relative(points[2], points[4]);
@@ -186,14 +186,14 @@ Sign power_test_exact(const WeightedPoint3& a, const WeightedPoint3& b, const We
 Sign compare_power_distance_exact(const Point2& p, const WeightedPoint2& a, const WeightedPoint2& b) {
   detail::require_finite("compare_power_distance", p, a, b);
   std::array points{WeightedPoint2{p, 0}, a, b};
-  if (!fit_weighted<2>(points)) return exact::compare_power_distance(p, a, b);
+  if (!fit_weighted<2>(points)) return wide_range::compare_power_distance(p, a, b);
   return compare_power_distance_expansion(points[0], points[1], points[2]);
 }
 
 Sign compare_power_distance_exact(const Point3& p, const WeightedPoint3& a, const WeightedPoint3& b) {
   detail::require_finite("compare_power_distance", p, a, b);
   std::array points{WeightedPoint3{p, 0}, a, b};
-  if (!fit_weighted<2>(points)) return exact::compare_power_distance(p, a, b);
+  if (!fit_weighted<2>(points)) return wide_range::compare_power_distance(p, a, b);
   return compare_power_distance_expansion(points[0], points[1], points[2]);
 }
 

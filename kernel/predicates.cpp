@@ -11,10 +11,10 @@
 #include "leonhard/kernel/arithmetic/small_multiples.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/pair.hpp"
-#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/kernel/stages/finite.hpp"
 #include "leonhard/kernel/stages/integer_predicates.hpp"
 #include "leonhard/kernel/stages/stage.hpp"
+#include "leonhard/kernel/stages/wide_predicates.hpp"
 
 namespace leonhard::kernel {
 namespace {
@@ -45,7 +45,7 @@ StagedSign orient2d_beyond_filter(const Point2& a, const Point2& b, const Point2
     return {sign_of(cross(l, r)), Stage::small_integer};  // below 2 * 2^(2 * 26) units
   if (const auto s = integer::orient2d(a, b, c)) return {*s, Stage::integer};
   std::array points{a, b, c};
-  if (!fit(points, exact_window<2>)) return {exact::orient2d(a, b, c), Stage::rational};
+  if (!fit(points, exact_window<2>)) return wide_range::orient2d(a, b, c);
   return {
       cross(expanded(long_difference(points[0], points[2])), expanded(long_difference(points[1], points[2])))
           .sign(),
@@ -61,7 +61,7 @@ StagedSign incircle_beyond_filter(const Point2& a, const Point2& b, const Point2
             Stage::small_integer};  // below 12 * 2^(4 * 12) units
   if (const auto s = integer::incircle(a, b, c, d)) return {*s, Stage::integer};
   std::array points{a, b, c, d};
-  if (!fit(points, exact_window<4>)) return {exact::incircle(a, b, c, d), Stage::rational};
+  if (!fit(points, exact_window<4>)) return wide_range::incircle(a, b, c, d);
   const auto u = long_difference(points[0], points[3]);
   const auto v = long_difference(points[1], points[3]);
   const auto w = long_difference(points[2], points[3]);
@@ -124,7 +124,7 @@ Sign incircle_tie(const Point2& a, const Point2& b, const Point2& c, const Point
 Sign in_diametral_circle_exact(const Point2& p, const Point2& a, const Point2& b) {
   detail::require_finite("in_diametral_circle", p, a, b);
   std::array points{p, a, b};
-  if (!fit(points, exact_window<2>)) return exact::in_diametral_circle(p, a, b);
+  if (!fit(points, exact_window<2>)) return wide_range::in_diametral_circle(p, a, b);
   return -dot(expanded(long_difference(points[1], points[0])),
               expanded(long_difference(points[2], points[0])))
               .sign();
@@ -133,7 +133,7 @@ Sign in_diametral_circle_exact(const Point2& p, const Point2& a, const Point2& b
 Sign compare_distance_exact(const Point2& p, const Point2& a, const Point2& b) {
   detail::require_finite("compare_distance", p, a, b);
   std::array points{p, a, b};
-  if (!fit(points, exact_window<2>)) return exact::compare_distance(p, a, b);
+  if (!fit(points, exact_window<2>)) return wide_range::compare_distance(p, a, b);
   const auto u = expanded(long_difference(points[1], points[0])),
              v = expanded(long_difference(points[2], points[0]));
   return (dot(u, u) - dot(v, v)).sign();

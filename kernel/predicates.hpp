@@ -12,8 +12,8 @@
 /// included.
 ///
 /// Each predicate has three parts. X_filter, inline, evaluates the determinant in floating point and answers
-/// only if a proven error bound says that the sign is right; X_exact passes through the stages of stage.hpp, which end
-/// with GMP; X tries the one and falls through to the other.
+/// only if a proven error bound says that the sign is right; X_exact passes through the stages of stage.hpp, the last
+/// of which takes all finite doubles; X tries the one and falls through to the other.
 ///
 /// Every predicate throws InputError, naming itself and the point, if a coordinate is NaN or infinite: the filter cannot
 /// tell then, so the check is made behind it and costs nothing where the filter answers. X_filter alone says that it

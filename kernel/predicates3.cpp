@@ -12,10 +12,10 @@
 #include "leonhard/kernel/arithmetic/small_multiples.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/pair.hpp"
-#include "leonhard/kernel/stages/exact.hpp"
 #include "leonhard/kernel/stages/finite.hpp"
 #include "leonhard/kernel/stages/integer_predicates.hpp"
 #include "leonhard/kernel/stages/stage.hpp"
+#include "leonhard/kernel/stages/wide_predicates.hpp"
 
 namespace leonhard::kernel {
 namespace {
@@ -77,7 +77,7 @@ StagedSign orient3d_beyond_filter(const Point3& a, const Point3& b, const Point3
     return {sign_of(dot(cross(to_b, to_c), to_d)), Stage::small_integer};  // below 6 * 2^(3 * 16) units
   if (const auto s = integer::orient3d(a, b, c, d)) return {*s, Stage::integer};
   std::array points{a, b, c, d};
-  if (!fit(points, exact_window<3>)) return {exact::orient3d(a, b, c, d), Stage::rational};
+  if (!fit(points, exact_window<3>)) return wide_range::orient3d(a, b, c, d);
   const auto u = long_difference(points[1], points[0]);
   const auto v = long_difference(points[2], points[0]);
   const auto w = long_difference(points[3], points[0]);
@@ -98,7 +98,7 @@ StagedSign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3
             Stage::small_integer};  // below 72 * 2^(5 * 9) units
   if (const auto s = integer::insphere(a, b, c, d, e)) return {*s, Stage::integer};
   std::array points{a, b, c, d, e};
-  if (!fit(points, exact_window<5>)) return {exact::insphere(a, b, c, d, e), Stage::rational};
+  if (!fit(points, exact_window<5>)) return wide_range::insphere(a, b, c, d, e);
   const auto u = long_difference(points[0], points[4]);
   const auto v = long_difference(points[1], points[4]);
   const auto w = long_difference(points[2], points[4]);
@@ -164,7 +164,7 @@ Sign insphere_tie(const Point3& a, const Point3& b, const Point3& c, const Point
 Sign in_diametral_sphere_exact(const Point3& p, const Point3& a, const Point3& b) {
   detail::require_finite("in_diametral_sphere", p, a, b);
   std::array points{p, a, b};
-  if (!fit(points, exact_window<2>)) return exact::in_diametral_sphere(p, a, b);
+  if (!fit(points, exact_window<2>)) return wide_range::in_diametral_sphere(p, a, b);
   return -dot(expanded(long_difference(points[1], points[0])),
               expanded(long_difference(points[2], points[0])))
               .sign();
@@ -173,7 +173,7 @@ Sign in_diametral_sphere_exact(const Point3& p, const Point3& a, const Point3& b
 Sign compare_distance_exact(const Point3& p, const Point3& a, const Point3& b) {
   detail::require_finite("compare_distance", p, a, b);
   std::array points{p, a, b};
-  if (!fit(points, exact_window<2>)) return exact::compare_distance(p, a, b);
+  if (!fit(points, exact_window<2>)) return wide_range::compare_distance(p, a, b);
   const auto u = expanded(long_difference(points[1], points[0])),
              v = expanded(long_difference(points[2], points[0]));
   return (dot(u, u) - dot(v, v)).sign();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -53,6 +54,38 @@ class WideInteger {
     std::uint64_t any = 0;
     for (const std::uint64_t limb : limbs_) any |= limb;
     return is_negative() ? Sign::negative : any == 0 ? Sign::zero : Sign::positive;
+  }
+
+  /// The number of bits but for the sign: of the value if it is not negative, else of -value - 1.
+  [[nodiscard]] int bit_width() const {
+    const std::uint64_t sign_bits = is_negative() ? ~std::uint64_t{0} : 0;
+    for (std::size_t i = Limbs; i-- > 0;)
+      if (const std::uint64_t limb = limbs_[i] ^ sign_bits; limb != 0)
+        return static_cast<int>(64 * i) + static_cast<int>(std::bit_width(limb));
+    return 0;
+  }
+
+  /// Multiplies by 2^places, modulo 2^(64 Limbs); 0 <= places < 64 Limbs.
+  void shift_left(int places) {
+    const auto limbs = static_cast<std::size_t>(places / 64);
+    const int bits = places % 64;
+    for (std::size_t i = Limbs; i-- > 0;) {
+      const std::uint64_t upper = i >= limbs ? limbs_[i - limbs] : 0;
+      const std::uint64_t lower = i >= limbs + 1 ? limbs_[i - limbs - 1] : 0;
+      limbs_[i] = bits == 0 ? upper : upper << bits | lower >> (64 - bits);
+    }
+  }
+
+  /// Multiplies a value of which only the first Used limbs are not 0; the product must fit.
+  template <std::size_t Used>
+  void multiply(std::uint64_t factor) {
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i < Used; ++i) {
+      const detail::Uint128 partial = detail::Uint128{limbs_[i]} * factor + carry;
+      limbs_[i] = detail::low_half(partial);
+      carry = detail::high_half(partial);
+    }
+    if constexpr (Used < Limbs) limbs_[Used] = carry;
   }
 
  private:

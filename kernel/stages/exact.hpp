@@ -10,7 +10,7 @@
 #include "leonhard/kernel/weighted_point.hpp"
 
 /// The predicates of predicates.hpp, predicates3.hpp and power.hpp evaluated in GMP's rational numbers, straight
-/// from their definitions: the oracle of tests and fuzzers, and the last resort of the predicates themselves.
+/// from their definitions: the oracle of tests and fuzzers. The predicates themselves do without.
 /// Slow (microseconds a call), right for every finite double; each double converts to a rational without error.
 /// Same sign conventions.
 namespace leonhard::kernel::exact {

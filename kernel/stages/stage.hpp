@@ -15,7 +15,9 @@ enum class Stage {
   integer,        // integers of a fixed width, if the coordinates are multiples of a common power of two
   double_double,  // the determinant in about 106 bits, with its error bound
   expansion,      // exact sums of doubles, if the exponents are safe from overflow and underflow
-  rational,       // GMP
+  wide_filter,    // the determinant in floating point whose exponents stand apart, with its error bound
+  wide_exact,     // the exact sum of its terms, the largest first
+  rational,       // GMP: predicates of implicit points alone
 };
 
 struct StagedSign {

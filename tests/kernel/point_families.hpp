@@ -100,6 +100,43 @@ inline Quadruple any_rectangle(Random& random) {
   return points;
 }
 
+/// Moves one coordinate of one point by at most two units in the last place, half of the time.
+inline void nudge_one(Random& random, Quadruple& points) {
+  if (integer(random, 0, 1) == 0) return;
+  Point2& p = points[static_cast<std::size_t>(integer(random, 0, 3))];
+  double& coordinate = integer(random, 0, 1) == 0 ? p.x : p.y;
+  coordinate = nudge(random, coordinate);
+}
+
+/// The corners of a trapezoid that lies like its mirror image, cocircular to the last bit, or one of them a step away;
+/// coordinates of any exponents.
+inline Quadruple trapezoid_of_any_exponents(Random& random) {
+  const auto any = [&random] { return any_exponent(random, -1074, 1020); };
+  const double x = any(), y = any(), other_x = any(), other_y = any();
+  Quadruple points{{{x, y}, {-x, y}, {other_x, other_y}, {-other_x, other_y}}};
+  nudge_one(random, points);
+  std::ranges::shuffle(points, random);
+  return points;
+}
+
+/// Points of a line through the origin, collinear to the last bit, or one of them a step away; coordinates of any
+/// exponents.
+inline Quadruple line_of_any_exponents(Random& random) {
+  const Vec2 direction{uniform(random), uniform(random)};
+  Quadruple points;
+  for (Point2& p : points) {
+    const double factor = std::ldexp(integer(random, 0, 1) == 0 ? 1 : -1, integer(random, -900, 1020));
+    p = {factor * direction.x, factor * direction.y};
+  }
+  nudge_one(random, points);
+  return points;
+}
+
+/// -1, 0, 1, or a number that would be lost beside them.
+inline double unit_or_tiny(Random& random) {
+  return integer(random, 0, 1) == 0 ? integer(random, -1, 1) : any_exponent(random, -1074, -500);
+}
+
 inline std::vector<PointFamily> point_families() {
   return {
       {"uniform", [](Random& r) { return each_coordinate([&r] { return uniform(r); }); }},
@@ -132,6 +169,10 @@ inline std::vector<PointFamily> point_families() {
        [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -100, 100); }); }},
       {"all exponents",
        [](Random& r) { return each_coordinate([&r] { return any_exponent(r, -1074, 1024); }); }},
+      {"a trapezoid of any exponents", trapezoid_of_any_exponents},
+      {"a line of any exponents", line_of_any_exponents},
+      {"a unit square beside tiny numbers",
+       [](Random& r) { return each_coordinate([&r] { return unit_or_tiny(r); }); }},
   };
 }
 

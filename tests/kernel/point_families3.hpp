@@ -80,6 +80,35 @@ inline Quintuple any_box(Random& random) {
   return box_corners(random, {any(), any(), any()}, {any(), any(), any()});
 }
 
+/// Moves one coordinate of one point by at most two units in the last place, half of the time.
+inline void nudge_one(Random& random, Quintuple& points) {
+  if (integer(random, 0, 1) == 0) return;
+  Point3& p = points[static_cast<std::size_t>(integer(random, 0, 4))];
+  const std::array coordinates{&p.x, &p.y, &p.z};
+  double& coordinate = *coordinates[static_cast<std::size_t>(integer(random, 0, 2))];
+  coordinate = nudge(random, coordinate);
+}
+
+/// Corners of a box, one of them a step away at times; coordinates of any exponents.
+inline Quintuple box_of_any_exponents(Random& random) {
+  const auto any = [&random] { return any_exponent(random, -1074, 1020); };
+  Quintuple points = box_corners(random, {any(), any(), any()}, {any(), any(), any()});
+  nudge_one(random, points);
+  return points;
+}
+
+/// Points of a plane through the z axis, one of them a step away at times; coordinates of any exponents.
+inline Quintuple plane_of_any_exponents(Random& random) {
+  const Vec2 direction{uniform(random), uniform(random)};
+  Quintuple points;
+  for (Point3& p : points) {
+    const double factor = std::ldexp(integer(random, 0, 1) == 0 ? 1 : -1, integer(random, -900, 1020));
+    p = {factor * direction.x, factor * direction.y, any_exponent(random, -1074, 1020)};
+  }
+  nudge_one(random, points);
+  return points;
+}
+
 /// Three points whose coordinates' products underflow, and others so far away that what was lost would count.
 inline Quintuple tiny_beside_huge(Random& random) {
   Quintuple points = each_coordinate3([&random] { return any_exponent(random, -538, -536); });
@@ -134,6 +163,10 @@ inline std::vector<PointFamily3> point_families3() {
       {"tiny beside huge", tiny_beside_huge},
       {"some exponents", exponents(-60, 60)},
       {"all exponents", exponents(-1074, 1024)},
+      {"a box of any exponents", box_of_any_exponents},
+      {"a plane of any exponents", plane_of_any_exponents},
+      {"a unit cube beside tiny numbers",
+       [](Random& r) { return each_coordinate3([&r] { return unit_or_tiny(r); }); }},
   };
 }
 

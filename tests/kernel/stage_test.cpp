@@ -74,25 +74,29 @@ TEST_CASE("each_stage_of_the_predicates_of_the_plane_is_asked_and_right") {
   const Tally orient = tally(
       point_families(), 5'000, [](const Quadruple& q) { return k::orient2d_staged(q[0], q[1], q[2]); },
       [](const Quadruple& q) { return k::exact::orient2d(q[0], q[1], q[2]); });
-  for (const Stage s :
-       {Stage::filter, Stage::small_integer, Stage::integer, Stage::expansion, Stage::rational})
+  for (const Stage s : {Stage::filter, Stage::small_integer, Stage::integer, Stage::expansion,
+                        Stage::wide_filter, Stage::wide_exact})
     CHECK(orient.contains(s));
+  CHECK(orient.size() == 6);
   const Tally circle = tally(
       point_families(), 5'000, [](const Quadruple& q) { return k::incircle_staged(q[0], q[1], q[2], q[3]); },
       [](const Quadruple& q) { return k::exact::incircle(q[0], q[1], q[2], q[3]); });
-  CHECK(circle.size() == 6);
+  CHECK(circle.size() == 7);
+  CHECK_FALSE(circle.contains(Stage::rational));
 }
 
 TEST_CASE("each_stage_of_the_predicates_of_space_is_asked_and_right") {
   const Tally orient = tally(
       point_families3(), 3'000, [](const Quintuple& q) { return k::orient3d_staged(q[0], q[1], q[2], q[3]); },
       [](const Quintuple& q) { return k::exact::orient3d(q[0], q[1], q[2], q[3]); });
-  CHECK(orient.size() == 6);
+  CHECK(orient.size() == 7);
+  CHECK_FALSE(orient.contains(Stage::rational));
   const Tally sphere = tally(
       point_families3(), 3'000,
       [](const Quintuple& q) { return k::insphere_staged(q[0], q[1], q[2], q[3], q[4]); },
       [](const Quintuple& q) { return k::exact::insphere(q[0], q[1], q[2], q[3], q[4]); });
-  CHECK(sphere.size() == 6);
+  CHECK(sphere.size() == 7);
+  CHECK_FALSE(sphere.contains(Stage::rational));
 }
 
 TEST_CASE("integer_predicates_of_the_plane_agree_with_rational_arithmetic") {

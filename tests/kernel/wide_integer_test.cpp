@@ -70,6 +70,33 @@ TEST_CASE("wide_integers_add_and_multiply_as_gmp_does") {
   check_against_gmp<4, 1>();
 }
 
+TEST_CASE("wide_integers_shift_and_count_their_bits_as_gmp_does") {
+  Random random(98);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto x = any_integer<3>(random);
+    const mpz_class value = value_of(x), size = x.is_negative() ? mpz_class(-value - 1) : value;
+    REQUIRE(x.bit_width() == (size == 0 ? 0 : static_cast<int>(mpz_sizeinbase(size.get_mpz_t(), 2))));
+    const auto places = static_cast<int>(random() % 4 == 0 ? 64 * (random() % 3) : random() % 192);
+    auto shifted = x;
+    shifted.shift_left(places);
+    REQUIRE(value_of(shifted) == wrapped<3>(value << static_cast<mp_bitcnt_t>(places)));
+  }
+}
+
+TEST_CASE("wide_integers_grow_by_factors_of_a_limb") {
+  Random random(99);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto two = any_integer<2>(random);
+    WideInteger<4> x(std::int64_t{0});
+    x.limb(0) = two.limb(0);
+    x.limb(1) = two.limb(1);
+    const mpz_class value = value_of(x);
+    const std::uint64_t factor = any_integer<1>(random).limb(0);
+    x.multiply<2>(factor);
+    REQUIRE(value_of(x) == value * mpz_class(std::to_string(factor)));
+  }
+}
+
 TEST_CASE("wide_integers_hold_their_extremes") {
   constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(),
                          most = std::numeric_limits<std::int64_t>::max();
