@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "leonhard/kernel/sign.hpp"
-#include "leonhard/kernel/stages/filtered_sign.hpp"
+#include "leonhard/kernel/filtered_sign.hpp"
 
 /// Floating point whose exponents stand apart, so that polynomials of any finite doubles neither over- nor underflow.
 ///

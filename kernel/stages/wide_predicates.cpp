@@ -9,7 +9,7 @@
 
 #include "leonhard/kernel/arithmetic/term_sum.hpp"
 #include "leonhard/kernel/arithmetic/wide_double.hpp"
-#include "leonhard/kernel/stages/filtered_sign.hpp"
+#include "leonhard/kernel/filtered_sign.hpp"
 
 namespace leonhard::kernel::wide_range {
 namespace {
