@@ -224,7 +224,7 @@ void try_mesh() {
   refuses("euler_account of tetrahedra, edges of another mesh", "edge",
           [&] { return euler_account(tets, build_faces(tets), build_edges(other_tets)); });
   answers("median_dual of an empty mesh",
-          [&] { return median_dual(empty, build_edges(empty)).area.empty(); });
+          [&] { return median_dual(empty, build_edges(empty)).volume.empty(); });
   answers("euler_account of an empty mesh",
           [&] { return euler_account(empty, build_edges(empty)).balances(); });
 
@@ -448,8 +448,8 @@ void try_delaunay() {
           [&] { return sites3.point(gone3); });
   refuses("DynamicTetrahedralization::point of a foreign id", "vertex 4000000",
           [&] { return sites3.point(foreign); });
-  refuses("DynamicTetrahedralization::tetrahedra_at of a foreign id", "vertex 4000000",
-          [&] { return sites3.tetrahedra_at(foreign); });
+  refuses("DynamicTetrahedralization::tets_at of a foreign id", "vertex 4000000",
+          [&] { return sites3.tets_at(foreign); });
   refuses("DynamicTetrahedralization::insert NaN", "nan", [&] { return sites3.insert({0, nan_, 0}); });
 
   refuses("DelaunayTree of NaN", "point 7", [&] { return DelaunayTree(with_nan); });
