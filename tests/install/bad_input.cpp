@@ -224,7 +224,7 @@ void try_mesh() {
   refuses("euler_account of tetrahedra, edges of another mesh", "edge",
           [&] { return euler_account(tets, build_faces(tets), build_edges(other_tets)); });
   answers("median_dual of an empty mesh",
-          [&] { return median_dual(empty, build_edges(empty)).area.empty(); });
+          [&] { return median_dual(empty, build_edges(empty)).volume.empty(); });
   answers("euler_account of an empty mesh",
           [&] { return euler_account(empty, build_edges(empty)).balances(); });
 
