@@ -49,10 +49,11 @@ cat >"$root/trial/run" <<'EOF'
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
 cd /trial
-apt-get update -qq
+apt() { apt-get -qq -o Dpkg::Use-Pty=0 "$@" >/dev/null; }
+apt update
 echo "== the program alone"
-apt-get install -y -qq --no-install-recommends man-db >/dev/null 2>&1
-apt-get install -y -qq --no-install-recommends ./leonhard_*.deb $(ls ./libleonhard[0-9]*.deb 2>/dev/null) >/dev/null
+apt install -y --no-install-recommends man-db
+apt install -y --no-install-recommends ./leonhard_*.deb $(ls ./libleonhard[0-9]*.deb 2>/dev/null)
 leonhard --version
 leonhard --help >/dev/null
 for page in leonhard leonhard-mesh leonhard-solve; do man -w $page; done
@@ -66,14 +67,14 @@ leonhard partition wedge.su2 -k 4 --quiet >/dev/null
 bash -c '. /usr/share/bash-completion/completions/leonhard
   COMP_WORDS=(leonhard mesh --min) COMP_CWORD=2; _leonhard; test "${COMPREPLY[*]}" = --min-angle'
 echo "== the library"
-apt-get install -y -qq --no-install-recommends g++ cmake make pkg-config ./libleonhard-dev_*.deb >/dev/null
+apt install -y --no-install-recommends g++ cmake make pkg-config ./libleonhard-dev_*.deb
 cmake -S . -B build >/dev/null
 cmake --build build >/dev/null
 build/quality_mesh
 c++ -std=c++20 jobs/tetrahedra.cpp $(pkg-config --cflags --libs leonhard-delaunay) -o tetrahedra
 ./tetrahedra
 echo "== gone again"
-apt-get purge -y -qq leonhard 'libleonhard*' >/dev/null
+apt purge -y leonhard 'libleonhard*'
 left=$(find /usr /etc /var/lib/dpkg/info -name '*leonhard*')
 if [ -n "$left" ]; then echo "left behind: $left" && exit 1; fi
 EOF
