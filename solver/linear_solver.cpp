@@ -111,17 +111,17 @@ struct BlockSystem::Petsc::Callbacks {
   }
 };
 
-BlockSystem::BlockSystem(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column)
+BlockSystem::BlockSystem(const BlockPattern& pattern)
     : petsc_(std::make_unique<Petsc>()) {
   if (!petsc_runs()) throw std::logic_error("BlockSystem: make a PetscSession first");
   Petsc& self = *petsc_;
-  self.block_numbers = 16 * column.size();
-  const auto rows = static_cast<PetscInt>(row_offset.size() - 1), size = 4 * rows;
+  self.block_numbers = 16 * pattern.link_count();
+  const auto rows = static_cast<PetscInt>(pattern.size()), size = 4 * rows;
   self.size = static_cast<std::size_t>(size);
   check(MatCreate(PETSC_COMM_SELF, &self.matrix), "MatCreate");
   check(MatSetSizes(self.matrix, size, size, size, size), "MatSetSizes");
   check(MatSetType(self.matrix, MATSEQBAIJ), "MatSetType");
-  check(MatSeqBAIJSetPreallocationCSR(self.matrix, 4, row_offset.data(), column.data(), nullptr),
+  check(MatSeqBAIJSetPreallocationCSR(self.matrix, 4, pattern.offsets().data(), pattern.links().data(), nullptr),
         "MatSeqBAIJSetPreallocationCSR");
   check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, petsc_.get(), &self.shell), "MatCreateShell");
   check(
