@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "leonhard/graph/colouring/boost_colourings.hpp"
 #include "leonhard/graph/orientation.hpp"
 
 namespace leonhard::graph {
@@ -41,7 +42,12 @@ std::vector<std::array<std::uint32_t, 2>> edges_of(const CsrGraph& graph) {
   return edges;
 }
 
-Colouring colour_vertices(const CsrGraph& graph) {
+Colouring colour_vertices(const CsrGraph& graph, VertexColouringMethod method) {
+  if (method == VertexColouringMethod::boost) {
+    Colouring of_boost;
+    of_boost.colours = detail::boost_colour_vertices(graph, of_boost.colour_of);
+    return of_boost;
+  }
   std::vector<std::uint32_t> sequence = least_degree_sequence(graph);
   std::ranges::reverse(sequence);
   Colouring result{0, std::vector<std::uint32_t>(sequence.size(), uncoloured)};

@@ -23,12 +23,18 @@ struct Colouring {
   std::vector<std::uint32_t> colour_of;  ///< one a vertex, or one an edge in the sequence of edges_of
 };
 
-/// Colours of vertices such that neighbours differ, at most one more than the graph's degeneracy (six on a planar
-/// graph): greedily, against the sequence of least degrees.
+enum class VertexColouringMethod {
+  smallest_last,  ///< against the sequence of least degrees
+  boost           ///< Boost.Graph's sequential_vertex_coloring, by index; to compare with
+};
+
+/// Colours of vertices such that neighbours differ, given greedily; with smallest_last at most one more than the graph's
+/// degeneracy (six on a planar graph).
 ///
 /// Cost O(n + m), some tenths of a second for 10^6 vertices: no stop could save time.
 /// Method: Matula and Beck, Journal of the ACM 30 (1983) 417-427.
-[[nodiscard]] Colouring colour_vertices(const CsrGraph& graph);
+[[nodiscard]] Colouring colour_vertices(const CsrGraph& graph,
+                                        VertexColouringMethod method = VertexColouringMethod::smallest_last);
 
 /// Colours of edges such that no two edges of a colour share a vertex, as few as cheaply possible: each edge in turn
 /// gets the first colour that is free at both its ends. At most 2 Delta - 1 colours, on meshes Delta and some; for
@@ -61,10 +67,16 @@ struct [[nodiscard]] EdgeColouring : Colouring {
   bool certain = false;  ///< the number is known to be the least
 };
 
+enum class EdgeColouringMethod {
+  alternating_paths,  ///< as below
+  boost               ///< Boost.Graph's edge_coloring: Delta or Delta + 1 colours, slower; to compare with
+};
+
 struct EdgeColouringOptions {
   std::uint32_t rounds = 5;  ///< attempts at Delta colours before one more is taken
   std::uint64_t seed = 1;
   Progress progress{};  ///< stage "edge colouring"
+  EdgeColouringMethod method = EdgeColouringMethod::alternating_paths;
 };
 
 /// Colours of edges such that no two edges of a colour share a vertex: Delta, the largest degree, if the graph is

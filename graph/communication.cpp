@@ -6,27 +6,14 @@
 #include <cmath>
 #include <string>
 
+#include "leonhard/graph/partition/partition_checks.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
 namespace {
 
-void check_partition(const CsrGraph& graph, const Partition& partition) {
-  if (partition.part_of.size() != vertex_count(graph))
-    throw InputError("partition",
-                     std::to_string(partition.part_of.size()) + " entries for " +
-                         std::to_string(vertex_count(graph)) + " vertices",
-                     "give one part a vertex");
-  for (std::size_t v = 0; v < partition.part_of.size(); ++v)
-    if (partition.part_of[v] >= partition.parts)
-      throw InputError("partition",
-                       "vertex " + std::to_string(v) + " is in part " + std::to_string(partition.part_of[v]) +
-                           " of " + std::to_string(partition.parts),
-                       "number the parts from 0");
-}
-
 /// Source, target and vertex of everything that is sent, each once, ascending.
-std::vector<std::array<std::uint32_t, 3>> values_sent(const CsrGraph& graph, const Partition& partition) {
+std::vector<std::array<std::uint32_t, 3>> values_sent(const CsrGraph& graph, const PartitionView& partition) {
   std::vector<std::array<std::uint32_t, 3>> sent;
   std::vector<std::uint32_t> targets;
   for (std::uint32_t v = 0; v < vertex_count(graph); ++v) {
@@ -52,8 +39,8 @@ std::uint64_t longest(const std::vector<Exchange>& cycle) {
 
 }  // namespace
 
-CommunicationGraph communication_graph(const CsrGraph& graph, const Partition& partition) {
-  check_partition(graph, partition);
+CommunicationGraph communication_graph(const CsrGraph& graph, const PartitionView& partition) {
+  detail::check_partition(partition, vertex_count(graph), "vertices");
   CommunicationGraph result;
   CsrGraph::Rows targets;
   const auto sent = values_sent(graph, partition);

@@ -6,7 +6,7 @@
 
 #include "leonhard/graph/colouring.hpp"
 #include "leonhard/graph/mesh_graph.hpp"
-#include "leonhard/graph/partition.hpp"
+#include "leonhard/graph/partition_parts.hpp"
 
 /// What the parts of a partition tell one another, in which sequence, and how long that takes (Barth's notes 2.3).
 namespace leonhard::graph {
@@ -21,7 +21,7 @@ struct CommunicationGraph {
 
 /// throws  InputError if the partition has not one entry a vertex or names a part out of range
 /// Cost O(n + m + parts), and a sort of the cut edges.
-[[nodiscard]] CommunicationGraph communication_graph(const CsrGraph& graph, const Partition& partition);
+[[nodiscard]] CommunicationGraph communication_graph(const CsrGraph& graph, const PartitionView& partition);
 
 /// Two parts that send each other a message at the same time.
 struct Exchange {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "leonhard/graph/colouring.hpp"
+#include "leonhard/graph/colouring/boost_colourings.hpp"
 #include "leonhard/graph/support/step_counter.hpp"
 
 namespace leonhard::graph {
@@ -318,13 +319,22 @@ EdgeColouring least_colouring(const CsrGraph& graph, Colour delta, const EdgeCol
               impossible);
 }
 
+EdgeColouring boost_colouring(const CsrGraph& graph, Colour delta, detail::StepCounter& steps) {
+  std::vector<std::uint32_t> colour_of;
+  const std::uint32_t colours = detail::boost_colour_edges(graph, colour_of, steps).value_or(0);
+  return made(std::move(colour_of), colours,
+              colours <= delta ? EdgeColourCount::delta : EdgeColourCount::delta_plus_one, colours <= delta);
+}
+
 }  // namespace
 
 EdgeColouring colour_edges(const CsrGraph& graph, const EdgeColouringOptions& options) {
   const Colour delta = largest_degree(graph);
   if (delta == 0) return made({}, 0, EdgeColourCount::delta, true);
-  detail::StepCounter steps(options.progress, "edge colouring", edge_count(graph));
-  EdgeColouring result = least_colouring(graph, delta, options, steps);
+  const bool by_boost = options.method == EdgeColouringMethod::boost;
+  detail::StepCounter steps(options.progress, "edge colouring", (by_boost ? 2 : 1) * edge_count(graph));
+  EdgeColouring result =
+      by_boost ? boost_colouring(graph, delta, steps) : least_colouring(graph, delta, options, steps);
   if (!steps.stopped()) return result;
   Colouring greedy = colour_edges_greedily(graph);
   return made(std::move(greedy.colour_of), greedy.colours, EdgeColourCount::stopped, false);

@@ -2,7 +2,9 @@
 #include "leonhard/graph/mesh_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
@@ -82,6 +84,35 @@ std::size_t self_loops(std::span<const Edge> edges) {
   return static_cast<std::size_t>(std::ranges::count_if(edges, [](const Edge& e) { return e[0] == e[1]; }));
 }
 
+/// The edges are those of the mesh if every edge joins two corners of each triangle beside it, no edge stands twice, and
+/// the triangles' sides are counted as often as there are any.
+void check_edges_of(const TriangleMesh& mesh, const EdgeStructure& edges) {
+  const auto refuse = [](const std::string& problem) {
+    throw InputError("edges", problem, "give mesh::build_edges of this mesh");
+  };
+  if (edges.sides.size() != edges.ends.size()) refuse("they are incomplete");
+  std::size_t sides = 0;
+  for (const EdgeId e : edges.ends.ids()) {
+    if (e.raw > 0 && !(edges.ends[EdgeId{e.raw - 1}] < edges.ends[e]))
+      refuse("edge " + std::to_string(e.raw) + " does not follow the one before it");
+    for (const MaybeId<TriangleId> side : edges.sides[e]) {
+      if (!side) continue;
+      ++sides;
+      const bool known = mesh.corners.contains(*side);
+      for (const VertexId end : edges.ends[e])
+        if (!known || std::ranges::count(mesh.corners[*side], end) == 0)
+          refuse("edge " + std::to_string(e.raw) + " has triangle " + std::to_string((*side).raw) +
+                 " beside it, which " +
+                 (known ? "does not have vertex " + std::to_string(end.raw) : "the mesh has not"));
+    }
+    if (edges.sides[e][0] == edges.sides[e][1])
+      refuse("edge " + std::to_string(e.raw) + " has no triangle beside it, or one on both sides");
+  }
+  if (sides != 3 * mesh.triangle_count())
+    refuse("they have " + std::to_string(sides) + " sides, the triangles " +
+           std::to_string(3 * mesh.triangle_count()));
+}
+
 /// The graph of cells that name one another as neighbours.
 template <class CellId, std::size_t sides>
 CsrGraph graph_of_neighbours(const PerId<CellId, std::array<MaybeId<CellId>, sides>>& neighbours,
@@ -108,6 +139,26 @@ CsrGraph graph_of_neighbours(const PerId<CellId, std::array<MaybeId<CellId>, sid
   return graph_from_edges(cells, list).graph;
 }
 
+template <class Point>
+std::vector<double> lengths(const CsrGraph& graph, std::span<const Point> points) {
+  if (points.size() != vertex_count(graph))
+    throw InputError(
+        "points",
+        std::to_string(points.size()) + " points for " + std::to_string(vertex_count(graph)) + " vertices",
+        "give one a vertex");
+  std::vector<double> result;
+  result.reserve(graph.rows().link_count());
+  for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
+    for (const std::uint32_t w : neighbours(graph, v)) {
+      const auto way = points[w] - points[v];
+      if constexpr (std::is_same_v<Point, Point2>)
+        result.push_back(std::hypot(way.x, way.y));
+      else
+        result.push_back(std::hypot(way.x, way.y, way.z));
+    }
+  return result;
+}
+
 }  // namespace
 
 EdgeListGraph graph_from_edges(std::uint32_t vertices, std::span<const Edge> edges) {
@@ -130,6 +181,7 @@ EdgeListGraph graph_from_arcs(std::uint32_t vertices, std::span<const Edge> arcs
 }
 
 CsrGraph vertex_graph(const TriangleMesh& mesh, const EdgeStructure& edges) {
+  check_edges_of(mesh, edges);
   const std::uint32_t vertices = as_vertex_count(mesh.vertex_count(), "vertices");
   std::vector<Edge> list;
   list.reserve(edges.ends.size());
@@ -162,6 +214,14 @@ CsrGraph dual_graph(const TriangleMesh& mesh) {
 
 CsrGraph dual_graph(const TetMesh& mesh) {
   return graph_of_neighbours(mesh.neighbours, mesh.tet_count(), "tetrahedron");
+}
+
+std::vector<double> arc_lengths(const CsrGraph& graph, std::span<const Point2> points) {
+  return lengths(graph, points);
+}
+
+std::vector<double> arc_lengths(const CsrGraph& graph, std::span<const Point3> points) {
+  return lengths(graph, points);
 }
 
 Components components(const CsrGraph& graph) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/compressed_rows.hpp"
 #include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
@@ -105,6 +106,14 @@ struct EdgeListGraph {
 /// throws  as for triangles
 /// Cost O(tetrahedra).
 [[nodiscard]] CsrGraph dual_graph(const TetMesh& mesh);
+
+/// The length of every directed edge, in the graph's sequence: weights for shortest paths.
+///
+/// points  one a vertex
+/// throws  InputError if there are not as many points as vertices
+/// Cost O(n + m).
+[[nodiscard]] std::vector<double> arc_lengths(const CsrGraph& graph, std::span<const Point2> points);
+[[nodiscard]] std::vector<double> arc_lengths(const CsrGraph& graph, std::span<const Point3> points);
 
 /// The connected components, numbered by their smallest vertex.
 struct Components {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "leonhard/graph/ordering/boost_orderings.hpp"
 #include "leonhard/graph/ordering/minimum_degree.hpp"
 #include "leonhard/graph/ordering/nested_dissection.hpp"
 #include "leonhard/kernel/hilbert.hpp"
@@ -70,6 +71,14 @@ OrderResult order(const CsrGraph& graph, const OrderOptions& options) {
       return nested_dissection(graph, {.seed = options.seed, .progress = options.progress});
     case OrderMethod::hilbert:
       return {hilbert(graph, options.coordinates)};
+    case OrderMethod::boost_cuthill_mckee:
+      return detail::boost_cuthill_mckee(graph, options.progress);
+    case OrderMethod::boost_king:
+      return detail::boost_king(graph, options.progress);
+    case OrderMethod::boost_sloan:
+      return detail::boost_sloan(graph, options.progress);
+    case OrderMethod::boost_minimum_degree:
+      return detail::boost_minimum_degree(graph, options.progress);
   }
   return {natural_order(graph)};
 }

@@ -25,13 +25,18 @@ enum class OrderMethod {
   spectral,                ///< by the Fiedler vector
   minimum_degree,          ///< little fill
   nested_dissection,       ///< little fill, on large graphs less than minimum_degree
-  hilbert                  ///< along a curve through the vertices' coordinates
+  hilbert,                 ///< along a curve through the vertices' coordinates
+  boost_cuthill_mckee,     ///< Boost.Graph's own, to compare with: reverse Cuthill-McKee,
+  boost_king,              ///< King, reversed,
+  boost_sloan,             ///< Sloan (hours for 10^6 vertices),
+  boost_minimum_degree     ///< and multiple minimum degree
 };
 
 /// Every method with the word for it, as the program's --method takes it.
 struct NamedOrderMethod {
   std::string_view name;
   OrderMethod method;
+  bool of_boost = false;  ///< Boost.Graph's own, for those who compare
 };
 inline constexpr std::array named_order_methods{
     NamedOrderMethod{"natural", OrderMethod::natural},
@@ -46,6 +51,10 @@ inline constexpr std::array named_order_methods{
     NamedOrderMethod{"minimum-degree", OrderMethod::minimum_degree},
     NamedOrderMethod{"nested-dissection", OrderMethod::nested_dissection},
     NamedOrderMethod{"hilbert", OrderMethod::hilbert},
+    NamedOrderMethod{"boost-cuthill-mckee", OrderMethod::boost_cuthill_mckee, true},
+    NamedOrderMethod{"boost-king", OrderMethod::boost_king, true},
+    NamedOrderMethod{"boost-sloan", OrderMethod::boost_sloan, true},
+    NamedOrderMethod{"boost-minimum-degree", OrderMethod::boost_minimum_degree, true},
 };
 [[nodiscard]] constexpr std::string_view to_string(OrderMethod method) {
   for (const auto& known : named_order_methods) {

@@ -60,18 +60,6 @@ Partition by_method(const CsrGraph& graph, const detail::KwayGraph& weighted, st
 
 }  // namespace
 
-void detail::check_partition_request(const CsrGraph& graph, std::uint32_t parts,
-                                     const PartitionOptions& options) {
-  const std::uint32_t n = vertex_count(graph);
-  if (parts == 0) throw InputError("parts", "a partition into 0 parts", "ask for at least 1");
-  if (parts > std::max(n, 1U))
-    throw InputError("parts", std::to_string(parts) + " parts of " + std::to_string(n) + " vertices",
-                     "ask for no more parts than there are vertices");
-  if (!(options.imbalance >= 0) || !std::isfinite(options.imbalance))
-    throw InputError("imbalance", "it is " + std::to_string(options.imbalance),
-                     "give 0 or more, such as 0.03");
-}
-
 std::int64_t heaviest_allowed(std::int64_t weight, std::uint32_t parts, double imbalance) {
   if (parts == 0) throw InputError("parts", "a partition into 0 parts", "ask for at least 1");
   if (!(imbalance >= 0) || !std::isfinite(imbalance))

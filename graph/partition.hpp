@@ -1,53 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
-#include <utility>
-#include <variant>
 #include <vector>
 
-#include "leonhard/graph/fiedler.hpp"
 #include "leonhard/graph/mesh_graph.hpp"
+#include "leonhard/graph/partition_options.hpp"
+#include "leonhard/graph/partition_parts.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/progress.hpp"
 
 namespace leonhard::graph {
-
-enum class PartitionOutcome {
-  done,
-  empty_parts,  ///< more parts than vertices were asked for: the first n parts hold one vertex, the rest none
-  stopped,      ///< stop was requested: a valid balanced partition, but not refined as it would have been
-  unbalanced,   ///< vertices so heavy that no partition within the imbalance was found
-  disconnected,  ///< connected parts were asked for, and none within the imbalance were found
-};
-
-/// The word for it, e.g. "done".
-[[nodiscard]] constexpr std::string_view to_string(PartitionOutcome outcome) {
-  switch (outcome) {
-    case PartitionOutcome::done:
-      return "done";
-    case PartitionOutcome::empty_parts:
-      return "empty_parts";
-    case PartitionOutcome::stopped:
-      return "stopped";
-    case PartitionOutcome::unbalanced:
-      return "unbalanced";
-    case PartitionOutcome::disconnected:
-      return "disconnected";
-  }
-  return "";
-}
-
-/// To each vertex (point, triangle) its part.
-struct [[nodiscard]] Partition {
-  std::uint32_t parts{};
-  std::vector<std::uint32_t> part_of;  ///< one a vertex, each below `parts`
-  PartitionOutcome outcome = PartitionOutcome::done;
-};
 
 /// Recursive coordinate bisection: halve the point set across the longer side of its bounding box.
 ///
@@ -108,51 +73,6 @@ Partition recursive_spectral_bisection(const CsrGraph& graph, std::uint32_t part
                                        const Progress& progress = {},
                                        std::span<const std::uint32_t> weights = {});
 
-enum class PartitionMethod {
-  coordinate,            ///< recursive_coordinate_bisection
-  inertial,              ///< recursive_inertial_bisection
-  cuthill_mckee,         ///< recursive_cuthill_mckee_bisection at the median
-  cuthill_mckee_levels,  ///< the same at level-set boundaries
-  spectral,              ///< recursive_spectral_bisection
-  multilevel,            ///< multilevel k-way: coarsen, bisect, refine; the least cut by far
-};
-
-/// The methods' names in files and on the command line.
-inline constexpr std::array<std::pair<std::string_view, PartitionMethod>, 6> named_partition_methods{{
-    {"coordinate", PartitionMethod::coordinate},
-    {"inertial", PartitionMethod::inertial},
-    {"cuthill-mckee", PartitionMethod::cuthill_mckee},
-    {"cuthill-mckee-levels", PartitionMethod::cuthill_mckee_levels},
-    {"spectral", PartitionMethod::spectral},
-    {"multilevel", PartitionMethod::multilevel},
-}};
-[[nodiscard]] constexpr std::string_view to_string(PartitionMethod method) {
-  for (const auto& known : named_partition_methods) {
-    if (known.second == method) return known.first;
-  }
-  return "";
-}
-
-/// How long the multilevel method tries: on meshes, times METIS' k-way method about as long, three times, and a hundred
-/// times and more.
-enum class Effort { low, normal, high };
-
-struct PartitionOptions {
-  PartitionMethod method = PartitionMethod::multilevel;
-  double imbalance = 0.03;         ///< no part is heavier than heaviest_allowed() says
-  Effort effort = Effort::normal;  ///< of the multilevel method
-  std::uint64_t seed = 1;          ///< same graph, options and seed: same partition
-  bool connected = false;          ///< try to have every part in one piece
-
-  std::span<const std::uint32_t> vertex_weights{};  ///< one a vertex, positive; empty: all 1
-  /// One a directed edge in the graph's sequence, positive, the same in both directions; empty: all 1. Only the
-  /// multilevel method looks at them.
-  std::span<const std::uint32_t> edge_weights{};
-  /// One point a vertex, for the methods coordinate and inertial.
-  std::variant<std::span<const Point2>, std::span<const Point3>> coordinates{};
-  Progress progress{};
-};
-
 /// A partition of a graph's vertices by any of the methods: parts of nearly equal weight, few edges between them.
 ///
 /// No part is heavier than heaviest_allowed(); if all vertices weigh the same that always succeeds, otherwise the
@@ -170,12 +90,25 @@ Partition partition(const CsrGraph& graph, std::uint32_t parts, const PartitionO
 /// throws  InputError if there are no parts, or the imbalance is negative or not finite
 [[nodiscard]] std::int64_t heaviest_allowed(std::int64_t weight, std::uint32_t parts, double imbalance);
 
+/// A mesh cut in one call: the partition() of its dual graph or of its vertex graph, typed by what was cut.
+///
+/// options  weights one a cell or vertex, edge weights as in dual_graph() or vertex_graph(). Without coordinates a method
+///          that needs some takes the vertices' points and the cells' corner means
+/// throws   InputError as partition() and the graphs do
+TrianglePartition partition_triangles(const TriangleMesh& mesh, std::uint32_t parts,
+                                      const PartitionOptions& options = {});
+VertexPartition partition_vertices(const TriangleMesh& mesh, std::uint32_t parts,
+                                   const PartitionOptions& options = {});
+TetPartition partition_tets(const TetMesh& mesh, std::uint32_t parts, const PartitionOptions& options = {});
+VertexPartition partition_vertices(const TetMesh& mesh, std::uint32_t parts,
+                                   const PartitionOptions& options = {});
+
 /// A partition of the vertices from one of the triangles: a vertex goes to the part that holds most of its
 /// triangles, the smallest such part where several do. Parts of few triangles may be left without a vertex.
 ///
 /// throws  InputError if the partition is not of the mesh's triangles or names a part out of range
 /// Cost O(triangles).
-Partition vertex_partition_from_dual(const TriangleMesh& mesh, const Partition& triangles);
+VertexPartition vertex_partition_from_dual(const TriangleMesh& mesh, const TrianglePartition& triangles);
 
 /// What a partition costs, part by part.
 struct PartitionCost {
@@ -199,7 +132,7 @@ struct PartitionCost {
 /// throws  InputError if the partition has not one entry a vertex, has 0 parts, or names a part out of range, or
 ///         weights are not as many as they should be
 /// Cost O(n + m + parts), and a sort of the cut edges.
-[[nodiscard]] PartitionCost partition_cost(const CsrGraph& graph, const Partition& partition,
+[[nodiscard]] PartitionCost partition_cost(const CsrGraph& graph, const PartitionView& partition,
                                            std::span<const std::uint32_t> vertex_weights = {},
                                            std::span<const std::uint32_t> edge_weights = {});
 

@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "leonhard/graph/partition.hpp"
+#include "leonhard/graph/partition/partition_checks.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
 namespace leonhard::graph {
 namespace {
-
-void check_partition(const Partition& partition, std::size_t expected, const char* what) {
-  if (partition.parts == 0) throw InputError("partition", "it has 0 parts", "give at least 1");
-  if (partition.part_of.size() != expected)
-    throw InputError(
-        "partition",
-        std::to_string(partition.part_of.size()) + " entries for " + std::to_string(expected) + " " + what,
-        "give the partition of these " + std::string(what));
-  for (std::size_t i = 0; i < expected; ++i)
-    if (partition.part_of[i] >= partition.parts)
-      throw InputError("partition",
-                       "entry " + std::to_string(i) + " names part " + std::to_string(partition.part_of[i]) +
-                           " of " + std::to_string(partition.parts),
-                       "number parts from 0");
-}
 
 void check_as_many(std::span<const std::uint32_t> weights, std::size_t expected, const char* what) {
   if (weights.empty() || weights.size() == expected) return;
@@ -32,7 +17,7 @@ void check_as_many(std::span<const std::uint32_t> weights, std::size_t expected,
 }
 
 /// Pieces of each part: components of the graph without its cut edges.
-std::vector<std::uint32_t> pieces_per_part(const CsrGraph& graph, const Partition& partition) {
+std::vector<std::uint32_t> pieces_per_part(const CsrGraph& graph, const PartitionView& partition) {
   std::vector<std::uint32_t> pieces(partition.parts, 0), stack;
   std::vector<bool> seen(partition.part_of.size(), false);
   for (std::uint32_t root = 0; root < seen.size(); ++root) {
@@ -56,7 +41,7 @@ std::vector<std::uint32_t> pieces_per_part(const CsrGraph& graph, const Partitio
 
 /// (part, foreign vertex next to it), each once, sorted.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> halo_pairs(const CsrGraph& graph,
-                                                                const Partition& partition) {
+                                                                const PartitionView& partition) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
     for (const std::uint32_t w : neighbours(graph, v))
@@ -68,46 +53,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> halo_pairs(const CsrGraph& 
 
 }  // namespace
 
-Partition vertex_partition_from_dual(const TriangleMesh& mesh, const Partition& triangles) {
-  check_partition(triangles, mesh.triangle_count(), "triangles");
-  std::vector<std::size_t> start(mesh.vertex_count() + 1, 0);
-  for (const auto& corners : mesh.corners)
-    for (const VertexId v : corners) {
-      if (!mesh.points.contains(v))
-        throw InputError("mesh",
-                         "a triangle has corner " + std::to_string(v.raw) + " of " +
-                             std::to_string(mesh.vertex_count()) + " vertices",
-                         "see mesh::validate");
-      ++start[v.index() + 1];
-    }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::uint32_t> parts_at(start.back());  // per vertex: the parts of its triangles
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for (const TriangleId t : mesh.corners.ids())
-    for (const VertexId v : mesh.corners[t]) parts_at[next[v.index()]++] = triangles.part_of[t.index()];
-
-  Partition result{triangles.parts, std::vector<std::uint32_t>(mesh.vertex_count(), 0), triangles.outcome};
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    const auto here = std::span(parts_at).subspan(start[v], start[v + 1] - start[v]);
-    std::ranges::sort(here);
-    std::ptrdiff_t most = 0;
-    for (auto run = here.begin(); run != here.end();) {
-      const auto end = std::upper_bound(run, here.end(), *run);
-      if (end - run > most) {
-        most = end - run;
-        result.part_of[v] = *run;
-      }
-      run = end;
-    }
-  }
-  return result;
-}
-
-PartitionCost partition_cost(const CsrGraph& graph, const Partition& partition,
+PartitionCost partition_cost(const CsrGraph& graph, const PartitionView& partition,
                              std::span<const std::uint32_t> vertex_weights,
                              std::span<const std::uint32_t> edge_weights) {
   const std::uint32_t n = vertex_count(graph), parts = partition.parts;
-  check_partition(partition, n, "vertices");
+  detail::check_partition(partition, n, "vertices");
   check_as_many(vertex_weights, n, "vertices");
   check_as_many(edge_weights, 2 * edge_count(graph), "directed edges");
   PartitionCost cost;

@@ -15,7 +15,7 @@ namespace leonhard {
 /// A graph's neighbours, the pattern of a sparse matrix, the vertices of each part.
 ///
 /// Link    what a row holds, such as a vertex number
-/// Offset  an unsigned number that counts all links; whoever makes the rows sees to it that they fit
+/// Offset  a number that counts all links; whoever makes the rows sees to it that they fit
 template <class Link, class Offset = std::uint32_t>
 class CompressedRows {
  public:
@@ -25,7 +25,7 @@ class CompressedRows {
   /// offsets  one more than there are rows: from 0, not descending, to the number of links (asserted at both ends)
   CompressedRows(std::vector<Offset> offsets, std::vector<Link> links)
       : offsets_(std::move(offsets)), links_(std::move(links)) {
-    assert(!offsets_.empty() && offsets_.front() == 0 && offsets_.back() == links_.size());
+    assert(!offsets_.empty() && offsets_.front() == 0 && std::cmp_equal(offsets_.back(), links_.size()));
   }
 
   /// Rows.
@@ -53,7 +53,7 @@ class CompressedRows {
   }
   void add_link(const Link& link) { links_.push_back(link); }
   void end_row() {
-    assert(links_.size() <= std::numeric_limits<Offset>::max());
+    assert(std::cmp_less_equal(links_.size(), std::numeric_limits<Offset>::max()));
     offsets_.push_back(static_cast<Offset>(links_.size()));
   }
 

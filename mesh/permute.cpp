@@ -50,8 +50,8 @@ PerId<VertexId, T> renumbered(const PerId<VertexId, T>& values, const PerId<Vert
 }
 
 template <int Dim>
-void renumber(std::vector<typename Simplex<Dim>::MarkedFacet>& facets,
-              const PerId<VertexId, VertexId>& new_of_old) {
+void renumber_facets(std::vector<typename Simplex<Dim>::MarkedFacet>& facets,
+                     const PerId<VertexId, VertexId>& new_of_old) {
   for (auto& facet : facets) {
     auto corners = Simplex<Dim>::corners_of(facet);
     for (VertexId& v : corners) v = new_of_old[v];
@@ -92,9 +92,9 @@ std::vector<CellId> order_by_vertices(const PerId<CellId, std::array<VertexId, c
   return old_of_new;
 }
 
-/// The same mesh, its cells in another order.
+/// The same mesh, its cells in another order; returns the new number of each old cell.
 template <int Dim, class CellId>
-void reorder_cells(SimplexMesh<Dim>& mesh, const std::vector<CellId>& old_of_new) {
+PerId<CellId, CellId> reorder_cells(SimplexMesh<Dim>& mesh, const std::vector<CellId>& old_of_new) {
   PerId<CellId, CellId> new_of_old(mesh.cell_count());
   for (std::size_t i = 0; i < old_of_new.size(); ++i) new_of_old[old_of_new[i]] = CellId::from(i);
   decltype(mesh.corners) corners;
@@ -115,28 +115,42 @@ void reorder_cells(SimplexMesh<Dim>& mesh, const std::vector<CellId>& old_of_new
   mesh.corners = std::move(corners);
   mesh.neighbours = std::move(neighbours);
   mesh.regions = std::move(regions);
+  return new_of_old;
 }
 
 }  // namespace
 
 template <int Dim>
-SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh, const PerId<VertexId, VertexId>& new_of_old,
-                                   CellOrder order) {
+Renumbered<Dim> renumber(const SimplexMesh<Dim>& mesh, const PerId<VertexId, VertexId>& new_of_old,
+                         CellOrder order) {
   check_permutation(mesh.vertex_count(), new_of_old);
   require_ids_in_range(mesh);
-  SimplexMesh<Dim> result = mesh;
+  Renumbered<Dim> renumbered_mesh{mesh, {}};
+  SimplexMesh<Dim>& result = renumbered_mesh.mesh;
   result.points = renumbered(mesh.points, new_of_old);
   result.vertex_markers = renumbered(mesh.vertex_markers, new_of_old);
-  renumber<Dim>(result.boundary, new_of_old);
-  renumber<Dim>(result.inner_facets(), new_of_old);
+  renumber_facets<Dim>(result.boundary, new_of_old);
+  renumber_facets<Dim>(result.inner_facets(), new_of_old);
   for (auto& corners : result.corners) {
     for (VertexId& v : corners) v = new_of_old[v];
   }
-  if (order == CellOrder::by_smallest_vertex)
-    reorder_cells(result, order_by_vertices(result.corners, result.vertex_count()));
-  return result;
+  if (order == CellOrder::by_smallest_vertex) {
+    renumbered_mesh.new_cell =
+        reorder_cells(result, order_by_vertices(result.corners, result.vertex_count()));
+  } else {
+    for (const auto cell : result.corners.ids()) renumbered_mesh.new_cell.push_back(cell);
+  }
+  return renumbered_mesh;
 }
 
+template <int Dim>
+SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh, const PerId<VertexId, VertexId>& new_of_old,
+                                   CellOrder order) {
+  return renumber(mesh, new_of_old, order).mesh;
+}
+
+template Renumbered<2> renumber(const SimplexMesh<2>&, const PerId<VertexId, VertexId>&, CellOrder);
+template Renumbered<3> renumber(const SimplexMesh<3>&, const PerId<VertexId, VertexId>&, CellOrder);
 template TriangleMesh renumber_vertices(const SimplexMesh<2>&, const PerId<VertexId, VertexId>&, CellOrder);
 template TetMesh renumber_vertices(const SimplexMesh<3>&, const PerId<VertexId, VertexId>&, CellOrder);
 

@@ -12,6 +12,15 @@ enum class CellOrder {
   kept,
 };
 
+/// A mesh in another numbering, and where its cells went.
+template <int Dim>
+struct Renumbered {
+  using CellId = typename SimplexMesh<Dim>::CellId;
+
+  SimplexMesh<Dim> mesh;
+  PerId<CellId, CellId> new_cell;  ///< of each old cell
+};
+
 /// The same mesh with other vertex numbers. Markers, regions, boundary, inner facets and names go along; boundary and
 /// inner facets keep their order, and each cell the order of its corners.
 ///
@@ -19,6 +28,12 @@ enum class CellOrder {
 /// throws  InputError if new_of_old is not a permutation of the mesh's vertices, or the mesh has ids out of range or arrays
 ///         of the wrong size
 /// Cost O(vertices + cells log degree).
+template <int Dim>
+[[nodiscard]] Renumbered<Dim> renumber(const SimplexMesh<Dim>& mesh,
+                                       const PerId<VertexId, VertexId>& new_of_old,
+                                       CellOrder order = CellOrder::by_smallest_vertex);
+
+/// The mesh of renumber() alone.
 template <int Dim>
 [[nodiscard]] SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh,
                                                  const PerId<VertexId, VertexId>& new_of_old,

@@ -135,46 +135,39 @@ struct BlockSystem::Petsc::Callbacks {
 namespace {
 
 /// throws  InputError unless the rows are as BlockSystem's header wants them
-void check_pattern(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column) {
+void check_pattern(const BlockPattern& pattern) {
   const auto refuse = [](std::size_t row, const char* problem) {
     throw InputError("row " + std::to_string(row), problem,
                      "give ascending columns, the diagonal among them");
   };
-  if (row_offset.size() < 2 || row_offset.front() != 0 ||
-      static_cast<std::size_t>(row_offset.back()) != column.size())
-    throw InputError("row_offset", "does not run from 0 to the number of columns listed",
-                     "give one row at least");
-  const auto rows = static_cast<std::int32_t>(row_offset.size() - 1);
-  for (std::int32_t row = 0; row < rows; ++row) {
-    const auto i = static_cast<std::size_t>(row);
-    if (row_offset[i + 1] < row_offset[i] || static_cast<std::size_t>(row_offset[i + 1]) > column.size())
-      refuse(i, "its columns begin after they end");
-    bool has_diagonal = false;
-    for (auto k = static_cast<std::size_t>(row_offset[i]); k < static_cast<std::size_t>(row_offset[i + 1]);
-         ++k) {
-      if (column[k] < 0 || column[k] >= rows) refuse(i, "a column is out of range");
-      if (k > static_cast<std::size_t>(row_offset[i]) && column[k] <= column[k - 1])
-        refuse(i, "its columns do not ascend");
-      has_diagonal = has_diagonal || column[k] == row;
+  if (pattern.empty()) throw InputError("pattern", "has no rows", "give one row at least");
+  for (std::size_t row = 0; row < pattern.size(); ++row) {
+    if (pattern.offsets()[row + 1] < pattern.offsets()[row]) refuse(row, "its columns begin after they end");
+    const std::span<const std::int32_t> columns = pattern[row];
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (columns[k] < 0 || std::cmp_greater_equal(columns[k], pattern.size()))
+        refuse(row, "a column is out of range");
+      if (k > 0 && columns[k] <= columns[k - 1]) refuse(row, "its columns do not ascend");
     }
-    if (!has_diagonal) refuse(i, "it lacks its diagonal");
+    if (!std::binary_search(columns.begin(), columns.end(), static_cast<std::int32_t>(row)))
+      refuse(row, "it lacks its diagonal");
   }
 }
 
 }  // namespace
 
-BlockSystem::BlockSystem(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column)
+BlockSystem::BlockSystem(const BlockPattern& pattern)
     : petsc_(std::make_unique<Petsc>()) {
   if (!petsc_runs()) throw std::logic_error("BlockSystem: make a PetscSession first");
-  check_pattern(row_offset, column);
+  check_pattern(pattern);
   Petsc& self = *petsc_;
-  self.block_numbers = 16 * column.size();
-  const auto rows = static_cast<PetscInt>(row_offset.size() - 1), size = 4 * rows;
+  self.block_numbers = 16 * pattern.link_count();
+  const auto rows = static_cast<PetscInt>(pattern.size()), size = 4 * rows;
   self.size = static_cast<std::size_t>(size);
   check(MatCreate(PETSC_COMM_SELF, &self.matrix), "MatCreate");
   check(MatSetSizes(self.matrix, size, size, size, size), "MatSetSizes");
   check(MatSetType(self.matrix, MATSEQBAIJ), "MatSetType");
-  check(MatSeqBAIJSetPreallocationCSR(self.matrix, 4, row_offset.data(), column.data(), nullptr),
+  check(MatSeqBAIJSetPreallocationCSR(self.matrix, 4, pattern.offsets().data(), pattern.links().data(), nullptr),
         "MatSeqBAIJSetPreallocationCSR");
   check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, petsc_.get(), &self.shell), "MatCreateShell");
   check(

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "leonhard/mesh/compressed_rows.hpp"
+
 namespace leonhard {
 
 /// PETSc's life, at most one at a time and made once, by the program or a test's main: starts PETSc (and MPI with it,
@@ -60,13 +62,16 @@ struct LinearOptions {
 /// y = A x for vectors of 4 numbers a row.
 using LinearOperator = std::function<void(std::span<const double> x, std::span<double> y)>;
 
+/// The columns of each row's blocks; numbers as PETSc has them.
+using BlockPattern = CompressedRows<std::int32_t, std::int32_t>;
+
 /// A sparse matrix of 4 x 4 blocks, its incomplete factors and GMRES; hides PETSc. One process; the distributed one
 /// will be another class with this interface.
 class BlockSystem {
  public:
-  /// row_offset, column  block pattern, columns ascending in each row, every row with its diagonal
-  /// throws              std::logic_error without a PetscSession, InputError naming the row that is not so
-  BlockSystem(std::span<const std::int32_t> row_offset, std::span<const std::int32_t> column);
+  /// pattern  of the blocks, copied: columns ascending in each row, every row with its diagonal
+  /// throws   std::logic_error without a PetscSession, InputError naming the row that is not so
+  explicit BlockSystem(const BlockPattern& pattern);
   ~BlockSystem();
   BlockSystem(BlockSystem&&) noexcept;
   BlockSystem& operator=(BlockSystem&&) noexcept;

@@ -81,6 +81,7 @@ std::vector<Ordered> ordered_by(const OrderCommand& command, AnyGraph& input, Or
     if (command.method != "all" && command.method != named.name &&
         named.method != graph::OrderMethod::natural)
       continue;
+    if (command.method == "all" && named.of_boost) continue;
     if (command.method == "all" && named.method == graph::OrderMethod::hilbert && input.coordinates.empty())
       continue;
     if (command.method == "all" && named.method == graph::OrderMethod::rosen &&

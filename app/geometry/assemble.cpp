@@ -172,9 +172,11 @@ DomainGeometry domain_from_file(const Case& c) {
 }  // namespace
 
 void name_markers(const Case& c, Pslg& pslg) {
+  // Unmarked segments may all turn out to be inner ones: [boundary.0] may be there and is not asked for yet.
+  const bool zero_has_condition = c.boundary.contains("0");
   std::vector<Marker> used;
   for (const Pslg::Segment& segment : pslg.segments)
-    if (segment.marker != 0) used.push_back(segment.marker);
+    if (segment.marker != 0 || zero_has_condition) used.push_back(segment.marker);
   for (const auto& [marker, condition] : match_conditions(c, used, pslg.marker_names, c.domain_file.string()))
     pslg.marker_names[marker] = condition.name;
 }

@@ -126,7 +126,7 @@ class Album {
   }
   void partition() {
     draw::draw_partition(
-        path("partition.png"), run_.mesh, run_.triangle_parts.part_of, run_.triangle_parts.parts,
+        path("partition.png"), run_.mesh, run_.triangle_parts.part_of.flat(), run_.triangle_parts.parts,
         {.view = close_up(run_), .title = fmt::format("{} parts", run_.triangle_parts.parts)});
     add("Partition", fmt::format("{} parts, {} edges cut, about the bodies.", run_.triangle_parts.parts,
                                  grouped(run_.partition_cost.cut)));

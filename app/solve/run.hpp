@@ -62,7 +62,7 @@ struct SolveRun {
 
   std::optional<graph::CsrGraph> vertex_graph;  ///< of the mesh as it came, before ordering
   std::vector<Numbering> numberings;            ///< as it came, then as ordered
-  graph::Partition triangle_parts;
+  graph::TrianglePartition triangle_parts;
   graph::PartitionCost partition_cost;
 
   SteadyResult flow;

@@ -74,7 +74,7 @@ SteadyOptions options_of(const SolveRun& run) {
   options.settle_window = s.settle_window;
   options.max_iterations = s.max_iterations;
   options.threads = run.threads;
-  options.part_of = graph::vertex_partition_from_dual(run.mesh, run.triangle_parts).part_of;
+  options.part_of = graph::vertex_partition_from_dual(run.mesh, run.triangle_parts).part_of.flat();
   options.parts = run.triangle_parts.parts;
   return options;
 }
@@ -166,7 +166,7 @@ std::string step_partition(SolveRun& run, std::uint64_t seed, std::stop_token st
   options.seed = seed;
   options.coordinates = std::span<const Point2>(centroids);
   options.progress.stop = std::move(stop);
-  run.triangle_parts = graph::partition(dual, parts, options);
+  run.triangle_parts = graph::partition_of<TriangleId>(graph::partition(dual, parts, options));
   run.partition_cost = graph::partition_cost(dual, run.triangle_parts);
   return fmt::format("{} parts, {} edges cut, imbalance {:.3f}", parts, grouped(run.partition_cost.cut),
                      run.partition_cost.imbalance);

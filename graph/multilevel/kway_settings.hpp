@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "leonhard/graph/partition.hpp"
 #include "leonhard/graph/partition/kway_flow.hpp"
+#include "leonhard/graph/partition_options.hpp"
 
 namespace leonhard::graph::detail {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "leonhard/graph/multilevel/bisection_goal.hpp"
 #include "leonhard/graph/multilevel/gain_queue.hpp"
 #include "leonhard/graph/multilevel/kway_graph.hpp"
-#include "leonhard/graph/partition/kway_bisect.hpp"
 
 namespace leonhard::graph::detail {
 

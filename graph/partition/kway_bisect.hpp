@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <stop_token>
 #include <vector>
 
+#include "leonhard/graph/multilevel/bisection_goal.hpp"
 #include "leonhard/graph/multilevel/kway_graph.hpp"
 #include "leonhard/graph/multilevel/kway_random.hpp"
 #include "leonhard/graph/multilevel/kway_settings.hpp"
 
 namespace leonhard::graph::detail {
-
-/// How heavy the two sides should be and may be.
-struct BisectionGoal {
-  std::array<std::int64_t, 2> target;  ///< sum: the graph's weight
-  std::array<std::int64_t, 2> limit;   ///< at least the target
-};
 
 /// To each vertex its side, 0 or 1.
 ///

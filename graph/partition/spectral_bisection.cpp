@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "leonhard/graph/fiedler.hpp"
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/graph/partition/recursive_bisection.hpp"
 #include "leonhard/kernel/input_error.hpp"

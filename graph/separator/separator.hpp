@@ -3,18 +3,11 @@
 
 #include <cstdint>
 #include <stop_token>
-#include <vector>
 
 #include "leonhard/graph/mesh_graph.hpp"
+#include "leonhard/graph/separator/vertex_separator.hpp"
 
 namespace leonhard::graph {
-
-/// Three sets of vertices: no edge joins the first two.
-struct VertexSeparator {
-  static constexpr std::uint8_t separator = 2;
-  std::vector<std::uint8_t> side_of;  ///< one a vertex: 0, 1 or `separator`
-  std::uint32_t size{};               ///< vertices of the separator
-};
 
 struct SeparatorOptions {
   double largest_side = 0.67;  ///< of the vertices, above 1/2; missed only where no separator keeps it

@@ -8,7 +8,7 @@
 
 #include "leonhard/graph/multilevel/gain_queue.hpp"
 #include "leonhard/graph/multilevel/kway_graph.hpp"
-#include "leonhard/graph/separator/separator.hpp"
+#include "leonhard/graph/separator/vertex_separator.hpp"
 
 namespace leonhard::graph::detail {
 

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "leonhard/graph/fiedler.hpp"
+#include "leonhard/graph/fiedler_options.hpp"
+#include "leonhard/graph/mesh_graph.hpp"
 
 /// The two iterations behind fiedler(); not for callers outside this room.
 namespace leonhard::graph::detail {

@@ -106,7 +106,7 @@ template <std::size_t Count>
 
 /// The sign of a number whose error is at most `error` 2^exponent, if that is enough to know it.
 [[nodiscard]] inline FilteredSign certain_sign(const WideDouble& x, double error) {
-  return detail::sign_if_beyond(x.mantissa, error);
+  return sign_if_beyond(x.mantissa, error);
 }
 
 }  // namespace leonhard::kernel

@@ -28,20 +28,19 @@ constexpr LinearOptions first_order_linear{0.01, 100};
 constexpr LinearOptions newton_linear{0.01, 120};
 constexpr double difference_step = 1e-7;  ///< root mean square change of q in a difference of residuals
 
-struct Pattern {
-  std::vector<std::int32_t> row_offset, column;
-};
-
-Pattern block_pattern(const EdgePlan& plan) {
-  Pattern p{std::vector<std::int32_t>(plan.vertex_count + 1), std::vector<std::int32_t>(plan.block_count())};
+/// The neighbours of each vertex and itself, ascending.
+BlockPattern block_pattern(const EdgePlan& plan) {
+  BlockPattern pattern;
+  pattern.reserve(plan.vertex_count, plan.block_count());
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
-    p.row_offset[v] = static_cast<std::int32_t>(plan.offset[v] + v);
-    p.column[plan.diagonal_block(v)] = static_cast<std::int32_t>(v);
-    for (std::uint32_t s = plan.offset[v]; s < plan.offset[v + 1]; ++s)
-      p.column[plan.neighbour_block(v, s)] = static_cast<std::int32_t>(plan.neighbour[s]);
+    const auto row = plan.neighbours[v];
+    const auto behind = std::ranges::lower_bound(row, v);
+    for (auto w = row.begin(); w != behind; ++w) pattern.add_link(static_cast<std::int32_t>(*w));
+    pattern.add_link(static_cast<std::int32_t>(v));
+    for (auto w = behind; w != row.end(); ++w) pattern.add_link(static_cast<std::int32_t>(*w));
+    pattern.end_row();
   }
-  p.row_offset.back() = static_cast<std::int32_t>(plan.block_count());
-  return p;
+  return pattern;
 }
 
 double norm_of(std::span<const double> x) {
@@ -50,10 +49,7 @@ double norm_of(std::span<const double> x) {
 
 class ImplicitMarch {
  public:
-  explicit ImplicitMarch(March& march)
-      : march_(march),
-        pattern_(block_pattern(march.spatial.plan())),
-        system_(pattern_.row_offset, pattern_.column) {
+  explicit ImplicitMarch(March& march) : march_(march), system_(block_pattern(march.spatial.plan())) {
     to_conserved(march.problem.gas, march.state, q_);
     step_.resize(q_.size());
     march.cfl = std::min(march.options.cfl_start.value_or(default_cfl), cfl_max());
@@ -211,7 +207,6 @@ class ImplicitMarch {
   }
 
   March& march_;
-  Pattern pattern_;
   BlockSystem system_;
   bool newton_ = false;
   std::vector<double> q_, step_, right_, blocks_, speeds_;

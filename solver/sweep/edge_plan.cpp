@@ -14,25 +14,18 @@ namespace {
 constexpr std::size_t lanes = 4;
 
 void list_neighbours(const EdgeStructure& edges, EdgePlan& plan) {
-  plan.offset.assign(plan.vertex_count + 1, 0);
-  for (const auto& [a, b] : edges.ends) {
-    ++plan.offset[a.index() + 1];
-    ++plan.offset[b.index() + 1];
-  }
-  for (std::size_t v = 0; v < plan.vertex_count; ++v) plan.offset[v + 1] += plan.offset[v];
-  plan.neighbour.resize(plan.offset.back());
-  std::vector<std::uint32_t> next(plan.offset.begin(), plan.offset.end() - 1);
-  for (const auto& [a, b] : edges.ends) {
-    plan.neighbour[next[a.index()]++] = static_cast<std::uint32_t>(b.index());
-    plan.neighbour[next[b.index()]++] = static_cast<std::uint32_t>(a.index());
-  }
+  plan.neighbours = collect_rows<std::uint32_t>(plan.vertex_count, [&](const auto& add) {
+    for (const auto& [a, b] : edges.ends) {
+      add(a.index(), static_cast<std::uint32_t>(b.index()));
+      add(b.index(), static_cast<std::uint32_t>(a.index()));
+    }
+  });
   plan.diagonal.resize(plan.vertex_count);
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
-    const auto first = plan.neighbour.begin() + plan.offset[v],
-               last = plan.neighbour.begin() + plan.offset[v + 1];
-    std::sort(first, last);
-    plan.diagonal[v] =
-        static_cast<std::uint32_t>(plan.offset[v] + v + (std::lower_bound(first, last, v) - first));
+    const auto row = plan.neighbours[v];
+    std::ranges::sort(row);
+    plan.diagonal[v] = plan.neighbours.offsets()[v] + v +
+                       static_cast<std::uint32_t>(std::ranges::lower_bound(row, v) - row.begin());
   }
 }
 
@@ -40,17 +33,18 @@ void list_neighbours(const EdgeStructure& edges, EdgePlan& plan) {
 void fit_gradient(const TriangleMesh& mesh, EdgePlan& plan, std::uint32_t v) {
   const Point2 here = mesh.points[VertexId::from(v)];
   double xx = 0, xy = 0, yy = 0;
+  const std::uint32_t first = plan.neighbours.offsets()[v], last = plan.neighbours.offsets()[v + 1];
   const auto edge_vector = [&](std::uint32_t i) {
-    return mesh.points[VertexId::from(plan.neighbour[i])] - here;
+    return mesh.points[VertexId::from(plan.neighbours.links()[i])] - here;
   };
-  for (std::uint32_t i = plan.offset[v]; i < plan.offset[v + 1]; ++i) {
+  for (std::uint32_t i = first; i < last; ++i) {
     const Vec2 d = edge_vector(i);
     const double w2 = 1 / dot(d, d);
     xx += w2 * d.x * d.x, xy += w2 * d.x * d.y, yy += w2 * d.y * d.y;
   }
   const double determinant = xx * yy - xy * xy, trace = xx + yy;
   const bool on_a_line = determinant <= 1e-24 * trace * trace;
-  for (std::uint32_t i = plan.offset[v]; i < plan.offset[v + 1]; ++i) {
+  for (std::uint32_t i = first; i < last; ++i) {
     const Vec2 d = edge_vector(i);
     const double w2 = 1 / dot(d, d);
     StencilSlot& slot = plan.slot[i];
@@ -167,12 +161,18 @@ void list_boundary(const TriangleMesh& mesh, EdgePlan& plan) {
 }  // namespace
 
 std::uint32_t EdgePlan::slot_to(std::uint32_t v, std::uint32_t other) const {
-  const auto first = neighbour.begin() + offset[v], last = neighbour.begin() + offset[v + 1];
-  return static_cast<std::uint32_t>(std::lower_bound(first, last, other) - neighbour.begin());
+  const auto row = neighbours[v];
+  return neighbours.offsets()[v] +
+         static_cast<std::uint32_t>(std::ranges::lower_bound(row, other) - row.begin());
 }
 
 SweepMesh EdgePlan::view() const {
-  return {offset.data(), neighbour.data(), slot.data(), part_vertices.data(), ends.data(), metric.data()};
+  return {neighbours.offsets().data(),
+          neighbours.links().data(),
+          slot.data(),
+          part_vertices.data(),
+          ends.data(),
+          metric.data()};
 }
 
 EdgePlan make_edge_plan(const TriangleMesh& mesh, std::span<const std::uint32_t> part_of,
@@ -183,7 +183,7 @@ EdgePlan make_edge_plan(const TriangleMesh& mesh, std::span<const std::uint32_t>
   plan.vertex_count = mesh.vertex_count();
   plan.area = dual.volume.flat();
   list_neighbours(edges, plan);
-  plan.slot.resize(plan.neighbour.size());
+  plan.slot.resize(plan.neighbours.link_count());
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) fit_gradient(mesh, plan, v);
   if (part_of.empty()) {
     choose_parts(mesh, plan);

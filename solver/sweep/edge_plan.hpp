@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "leonhard/mesh/compressed_rows.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 #include "leonhard/solver/sweep/sweep.hpp"
 
@@ -20,11 +21,11 @@ struct EdgePlan {
   static constexpr std::size_t vertices_per_part = 2048;
 
   std::size_t vertex_count{};
-  std::vector<double> area;           ///< of each control volume
-  std::vector<std::uint32_t> offset;  ///< neighbours of v: offset[v] ... offset[v + 1] - 1, ascending
-  std::vector<std::uint32_t> neighbour;
-  std::vector<StencilSlot> slot;          ///< one a neighbour
-  std::vector<std::uint32_t> diagonal;    ///< one a vertex: see diagonal_block
+  std::vector<double> area;  ///< of each control volume
+  CompressedRows<std::uint32_t>
+      neighbours;                 ///< row v: neighbours of v, ascending. A slot is a place among all links
+  std::vector<StencilSlot> slot;  ///< one a neighbour
+  std::vector<std::uint32_t> diagonal;  ///< one a vertex: see diagonal_block
 
   std::vector<PartRange> parts;
   std::vector<std::uint32_t> part_of;        ///< one a vertex
@@ -40,11 +41,11 @@ struct EdgePlan {
   /// hold the neighbours and v itself in ascending order.
   [[nodiscard]] std::uint32_t diagonal_block(std::uint32_t v) const { return diagonal[v]; }
   [[nodiscard]] std::uint32_t neighbour_block(std::uint32_t v, std::uint32_t s) const {
-    return s + v + (neighbour[s] > v ? 1u : 0u);
+    return s + v + (neighbours.links()[s] > v ? 1u : 0u);
   }
   /// The slot of a neighbour of v. Cost O(log degree).
   [[nodiscard]] std::uint32_t slot_to(std::uint32_t v, std::uint32_t other) const;
-  [[nodiscard]] std::size_t block_count() const { return neighbour.size() + vertex_count; }
+  [[nodiscard]] std::size_t block_count() const { return neighbours.link_count() + vertex_count; }
 };
 
 /// Gradients are least squares over the edge neighbours, each equation weighted by the inverse of the distance

@@ -19,6 +19,7 @@
 #include <boost/graph/sloan_ordering.hpp>
 #include <queue>
 
+#include "leonhard/graph/boost_models.hpp"
 #include "leonhard/graph/fill.hpp"
 #include "leonhard/graph/ordering.hpp"
 #include "leonhard/graph/orientation.hpp"
@@ -46,7 +47,7 @@ namespace {
 using Undirected = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 using Directed = boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS>;
 
-std::vector<CsrGraph> shelf() {
+std::vector<CsrGraph> boost_shelf() {
   return {graph_from_edges(0, {}).graph,
           graph_from_edges(4, {}).graph,
           path(7),
@@ -66,7 +67,7 @@ Undirected boost_copy(const CsrGraph& graph) {
 }
 
 /// Distances in edges by a queue of our own.
-std::vector<std::uint32_t> levels_from(const CsrGraph& graph, std::uint32_t root) {
+std::vector<std::uint32_t> levels_by_queue(const CsrGraph& graph, std::uint32_t root) {
   std::vector<std::uint32_t> level(vertex_count(graph), ~0U);
   std::queue<std::uint32_t> queue({root});
   level[root] = 0;
@@ -80,7 +81,8 @@ std::vector<std::uint32_t> levels_from(const CsrGraph& graph, std::uint32_t root
 }
 
 /// Lengths of shortest paths by relaxing all arcs until nothing changes (Bellman and Ford).
-std::vector<double> distances_from(const CsrGraph& graph, std::uint32_t root, const std::vector<double>& length) {
+std::vector<double> distances_from(const CsrGraph& graph, std::uint32_t root,
+                                   const std::vector<double>& length) {
   std::vector<double> distance(vertex_count(graph), std::numeric_limits<double>::max());
   distance[root] = 0;
   for (bool changed = true; changed;) {
@@ -101,7 +103,7 @@ std::vector<double> distances_from(const CsrGraph& graph, std::uint32_t root, co
 }  // namespace
 
 TEST_CASE("boost_walks_the_vertices_arcs_and_edges_of_a_graph") {
-  for (const CsrGraph& graph : shelf()) {
+  for (const CsrGraph& graph : boost_shelf()) {
     REQUIRE(num_vertices(graph) == vertex_count(graph));
     REQUIRE(num_edges(graph) == 2 * edge_count(graph));
     std::uint32_t next = 0;
@@ -152,20 +154,21 @@ TEST_CASE("edge_says_where_there_is_none") {
 }
 
 TEST_CASE("boost_searches_breadth_first_as_a_queue_does") {
-  for (const CsrGraph& graph : shelf()) {
+  for (const CsrGraph& graph : boost_shelf()) {
     if (vertex_count(graph) == 0) continue;
     std::vector<std::uint32_t> level(vertex_count(graph), ~0U);
     level[0] = 0;
     const auto levels = boost::make_iterator_property_map(level.begin(), get(boost::vertex_index, graph));
     boost::breadth_first_search(
-        graph, 0U, boost::visitor(boost::make_bfs_visitor(boost::record_distances(levels, boost::on_tree_edge()))));
-    CHECK(level == levels_from(graph, 0));
+        graph, 0U,
+        boost::visitor(boost::make_bfs_visitor(boost::record_distances(levels, boost::on_tree_edge()))));
+    CHECK(level == levels_by_queue(graph, 0));
   }
 }
 
 TEST_CASE("boost_finds_shortest_paths_along_weighted_arcs") {
   std::mt19937_64 random(5);
-  for (const CsrGraph& graph : shelf()) {
+  for (const CsrGraph& graph : boost_shelf()) {
     if (vertex_count(graph) == 0) continue;
     std::vector<double> length(num_edges(graph));
     for (double& l : length) l = static_cast<double>(1 + random() % 100);
@@ -173,13 +176,14 @@ TEST_CASE("boost_finds_shortest_paths_along_weighted_arcs") {
     boost::dijkstra_shortest_paths(
         graph, 0U,
         boost::weight_map(boost::make_iterator_property_map(length.begin(), get(boost::edge_index, graph)))
-            .distance_map(boost::make_iterator_property_map(distance.begin(), get(boost::vertex_index, graph))));
+            .distance_map(
+                boost::make_iterator_property_map(distance.begin(), get(boost::vertex_index, graph))));
     CHECK(distance == distances_from(graph, 0, length));
   }
 }
 
 TEST_CASE("boost_counts_components_of_either_view") {
-  for (const CsrGraph& graph : shelf()) {
+  for (const CsrGraph& graph : boost_shelf()) {
     const Components ours = components(graph);
     const UndirectedGraph undirected(graph);
     std::vector<std::uint32_t> theirs(vertex_count(graph)), of_edges(vertex_count(graph));
@@ -191,9 +195,10 @@ TEST_CASE("boost_counts_components_of_either_view") {
 }
 
 TEST_CASE("boost_tests_planarity_without_a_copy_as_with_one") {
-  for (const CsrGraph& graph : shelf()) {
+  for (const CsrGraph& graph : boost_shelf()) {
     const UndirectedGraph undirected(graph);
-    CHECK(boost::boyer_myrvold_planarity_test(undirected) == boost::boyer_myrvold_planarity_test(boost_copy(graph)));
+    CHECK(boost::boyer_myrvold_planarity_test(undirected) ==
+          boost::boyer_myrvold_planarity_test(boost_copy(graph)));
     CHECK(is_planar(graph) == boost::boyer_myrvold_planarity_test(boost_copy(graph)));
   }
   CHECK_FALSE(is_planar(complete(5)));
@@ -201,29 +206,31 @@ TEST_CASE("boost_tests_planarity_without_a_copy_as_with_one") {
 }
 
 TEST_CASE("boost_colours_vertices_and_edges") {
-  for (const CsrGraph& graph : shelf()) {
+  for (const CsrGraph& graph : boost_shelf()) {
     const std::uint32_t n = vertex_count(graph);
     Colouring vertices{0, std::vector<std::uint32_t>(n)};
     vertices.colours = boost::sequential_vertex_coloring(
-        graph, boost::make_iterator_property_map(vertices.colour_of.begin(), get(boost::vertex_index, graph)));
+        graph,
+        boost::make_iterator_property_map(vertices.colour_of.begin(), get(boost::vertex_index, graph)));
     CHECK(validate_vertex_colouring(graph, vertices) == std::nullopt);
 
     const UndirectedGraph undirected(graph);
     Colouring edges{0, std::vector<std::uint32_t>(edge_count(graph))};
     edges.colours = boost::edge_coloring(
-        undirected, boost::make_iterator_property_map(edges.colour_of.begin(), get(boost::edge_index, undirected)));
+        undirected,
+        boost::make_iterator_property_map(edges.colour_of.begin(), get(boost::edge_index, undirected)));
     CHECK(validate_edge_colouring(graph, edges) == std::nullopt);
   }
 }
 
 TEST_CASE("boost_finds_spanning_trees_and_cut_vertices") {
-  for (const CsrGraph& graph : shelf()) {
+  for (const CsrGraph& graph : boost_shelf()) {
     const UndirectedGraph undirected(graph);
     std::vector<int> weight(edge_count(graph), 1);
     std::vector<BoostEdge> tree;
-    boost::kruskal_minimum_spanning_tree(
-        undirected, std::back_inserter(tree),
-        boost::weight_map(boost::make_iterator_property_map(weight.begin(), get(boost::edge_index, undirected))));
+    boost::kruskal_minimum_spanning_tree(undirected, std::back_inserter(tree),
+                                         boost::weight_map(boost::make_iterator_property_map(
+                                             weight.begin(), get(boost::edge_index, undirected))));
     CHECK(tree.size() == vertex_count(graph) - components(graph).count());
   }
   const CsrGraph graph = star(6);
@@ -246,7 +253,7 @@ TEST_CASE("boost_orders_a_mesh_graph_as_it_orders_its_own_copy") {
 }
 
 TEST_CASE("graphs_of_boost_come_back_as_they_were") {
-  for (const CsrGraph& graph : shelf()) {
+  for (const CsrGraph& graph : boost_shelf()) {
     const EdgeListGraph undirected = graph_from(boost_copy(graph));
     CHECK(undirected.graph == graph);
     CHECK(undirected.parallel_edges == 0);
@@ -277,7 +284,8 @@ TEST_CASE("a_directed_boost_graph_must_have_both_directions") {
   Directed model(3);
   add_edge(0, 1, model);
   CHECK_THROWS_WITH_AS(static_cast<void>(graph_from(model)),
-                       doctest::Contains("vertex 0 has neighbour 1, which does not have it back"), InputError);
+                       doctest::Contains("vertex 0 has neighbour 1, which does not have it back"),
+                       InputError);
 }
 
 TEST_CASE("vertices_in_lists_are_numbered_by_the_callers_index") {
@@ -292,7 +300,8 @@ TEST_CASE("vertices_in_lists_are_numbered_by_the_callers_index") {
   CHECK(graph_from(model).graph == graph_from_edges(4, Edges{{3, 2}, {2, 0}}).graph);
 
   put(boost::vertex_index, model, made[0], 2);
-  CHECK_THROWS_WITH_AS(static_cast<void>(graph_from(model)), doctest::Contains("it gives 2 twice"), InputError);
+  CHECK_THROWS_WITH_AS(static_cast<void>(graph_from(model)), doctest::Contains("it gives 2 twice"),
+                       InputError);
   put(boost::vertex_index, model, made[0], 4);
   CHECK_THROWS_WITH_AS(static_cast<void>(graph_from(model)), doctest::Contains("it gives 4"), InputError);
 }

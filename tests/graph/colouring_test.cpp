@@ -137,6 +137,33 @@ TEST_CASE("vertices_get_at_most_one_colour_more_than_the_degeneracy") {
   CHECK(colour_vertices(path(0)).colours == 0);
 }
 
+TEST_CASE("boosts_colourings_are_proper_and_keep_vizings_bound") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+    for (const CsrGraph& graph :
+         {random_graph(25, 60, seed), random_mesh_graph(5, 4, seed), complete(7), path(0)}) {
+      CHECK_FALSE(validate_vertex_colouring(graph, colour_vertices(graph, VertexColouringMethod::boost)));
+      const EdgeColouring found = colour_edges(graph, {.method = EdgeColouringMethod::boost});
+      CHECK_FALSE(validate_edge_colouring(graph, found));
+      std::uint32_t delta = 0;
+      for (std::uint32_t v = 0; v < vertex_count(graph); ++v) delta = std::max(delta, degree(graph, v));
+      CHECK(found.colours <= delta + 1);
+      CHECK((found.count == EdgeColourCount::delta) == (found.colours <= delta));
+    }
+}
+
+TEST_CASE("boosts_edge_colouring_stops_when_told_to") {
+  const CsrGraph graph = random_mesh_graph(40, 40, 1);
+  std::stop_source stop;
+  EdgeColouringOptions options{.method = EdgeColouringMethod::boost};
+  options.progress.stop = stop.get_token();
+  options.progress.report = [&](std::string_view, double fraction) {
+    if (fraction > 0) stop.request_stop();
+  };
+  const EdgeColouring found = colour_edges(graph, options);
+  CHECK(found.count == EdgeColourCount::stopped);
+  CHECK(found.colour_of == colour_edges_greedily(graph).colour_of);
+}
+
 TEST_CASE("validators_name_what_is_wrong_with_a_colouring") {
   const auto vertices = [](std::vector<std::uint32_t> colour_of) {
     return validate_vertex_colouring(path(3), {2, std::move(colour_of)}).value_or("");

@@ -97,6 +97,45 @@ TEST_CASE("vertex_graph_refuses_edges_of_a_larger_mesh") {
   CHECK_THROWS_AS(static_cast<void>(vertex_graph(small, mesh::build_edges(large))), InputError);
 }
 
+TEST_CASE("vertex_graph_refuses_edges_of_another_mesh_of_the_same_size") {
+  const TriangleMesh mesh = random_triangulation(3, 3, 1);
+  EdgeStructure edges = mesh::build_edges(random_triangulation(3, 3, 2));
+  REQUIRE(edges.edge_count() == mesh::build_edges(mesh).edge_count());
+  CHECK_THROWS_WITH_AS(static_cast<void>(vertex_graph(mesh, edges)), doctest::Contains("beside it, which"),
+                       InputError);
+
+  edges = mesh::build_edges(mesh);
+  CHECK(validate(vertex_graph(mesh, edges)) == std::nullopt);
+  const EdgeStructure none;
+  CHECK_THROWS_WITH_AS(static_cast<void>(vertex_graph(mesh, none)), doctest::Contains("they have 0 sides"),
+                       InputError);
+  edges.sides[EdgeId{0}] = {};
+  CHECK_THROWS_WITH_AS(static_cast<void>(vertex_graph(mesh, edges)),
+                       doctest::Contains("edge 0 has no triangle"), InputError);
+}
+
+TEST_CASE("arc_lengths_are_distances_in_the_sequence_of_the_arcs") {
+  const CsrGraph graph = path(3);
+  const std::vector<Point2> points{{0, 0}, {3, 4}, {3, 5}};
+  CHECK(arc_lengths(graph, points) == std::vector<double>{5, 5, 1, 1});
+  const std::vector<Point3> in_space{{0, 0, 0}, {2, 3, 6}, {2, 3, 5}};
+  CHECK(arc_lengths(graph, in_space) == std::vector<double>{7, 7, 1, 1});
+  CHECK_THROWS_AS(static_cast<void>(arc_lengths(path(4), points)), InputError);
+}
+
+TEST_CASE("graph_from_arcs_wants_both_directions") {
+  const Edges arcs{{1, 0}, {2, 1}, {0, 1}, {1, 2}, {2, 2}, {0, 1}};
+  const EdgeListGraph made = graph_from_arcs(3, arcs);
+  CHECK(made.graph == path(3));
+  CHECK(made.self_loops == 1);
+  CHECK(made.parallel_edges == 1);
+  const Edges one_way{{0, 1}, {1, 0}, {1, 2}};
+  CHECK_THROWS_WITH_AS(static_cast<void>(graph_from_arcs(3, one_way)),
+                       doctest::Contains("vertex 1 has neighbour 2, which does not have it back"),
+                       InputError);
+  CHECK_THROWS_AS(static_cast<void>(graph_from_arcs(2, arcs)), InputError);
+}
+
 TEST_CASE("components_agree_with_boost") {
   const CsrGraph graph =
       renamed(disjoint_union({grid(4, 5), path(7), path(1), cycle(9), path(1)}), random_order(38, 5));

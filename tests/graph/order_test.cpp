@@ -435,3 +435,51 @@ TEST_CASE("sloan_takes_the_best_of_the_weights_it_is_given") {
   }
   CHECK_THROWS_AS(static_cast<void>(sloan(mesh, std::vector<SloanWeights>{})), InputError);
 }
+
+TEST_CASE("boosts_minimum_degree_is_safe_on_all_small_graphs") {
+  // All graphs of up to five vertices; complete ones among them, where Boost alone reads beyond its lists by degree.
+  for (std::uint32_t n = 0; n <= 5; ++n) {
+    Edges all;
+    for (std::uint32_t v = 0; v < n; ++v)
+      for (std::uint32_t w = v + 1; w < n; ++w) all.push_back({v, w});
+    for (std::uint32_t chosen = 0; chosen < 1U << all.size(); ++chosen) {
+      Edges edges;
+      for (std::size_t e = 0; e < all.size(); ++e)
+        if ((chosen >> e & 1) != 0) edges.push_back(all[e]);
+      const CsrGraph graph = graph_from_edges(n, edges).graph;
+      CHECK(is_permutation_of_all(graph, order(graph, {.method = OrderMethod::boost_minimum_degree}).order));
+    }
+  }
+}
+
+TEST_CASE("boosts_own_orderings_are_worth_about_what_ours_are") {
+  const CsrGraph graph = renamed(random_mesh_graph(20, 15, 3), random_order(336, 8));
+  const auto cost = [&](OrderMethod method) {
+    return ordering_cost(graph, order(graph, {.method = method}).order);
+  };
+  const OrderingCost natural = cost(OrderMethod::natural);
+  CHECK(cost(OrderMethod::boost_cuthill_mckee).bandwidth < natural.bandwidth / 4);
+  CHECK(cost(OrderMethod::boost_cuthill_mckee).envelope < natural.envelope / 4);
+  CHECK(cost(OrderMethod::boost_king).envelope < natural.envelope / 4);
+  CHECK(cost(OrderMethod::boost_sloan).envelope < natural.envelope / 4);
+  const auto fill = [&](OrderMethod method) {
+    return static_cast<double>(cholesky_fill(graph, order(graph, {.method = method}).order).nonzeros);
+  };
+  CHECK(fill(OrderMethod::boost_minimum_degree) < 1.3 * fill(OrderMethod::minimum_degree));
+}
+
+TEST_CASE("boosts_own_orderings_stop_when_told_to") {
+  const CsrGraph graph = random_mesh_graph(60, 60, 3);
+  for (const OrderMethod method : {OrderMethod::boost_cuthill_mckee, OrderMethod::boost_king,
+                                   OrderMethod::boost_sloan, OrderMethod::boost_minimum_degree}) {
+    std::stop_source stop;
+    OrderOptions options{.method = method};
+    options.progress.stop = stop.get_token();
+    options.progress.report = [&](std::string_view, double fraction) {
+      if (fraction > 0) stop.request_stop();
+    };
+    const OrderResult found = order(graph, options);
+    CHECK(found.outcome == OrderOutcome::stopped);
+    CHECK(is_permutation_of_all(graph, found.order));
+  }
+}

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <set>
 
+#include "leonhard/graph/fiedler.hpp"
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"

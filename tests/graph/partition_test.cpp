@@ -232,14 +232,15 @@ TEST_CASE("partition_cost_agrees_with_its_definition") {
 TEST_CASE("a_vertex_goes_to_the_part_of_most_of_its_triangles") {
   const TriangleMesh mesh = random_triangulation(10, 8, 9);
   for (const std::uint32_t parts : {1U, 2U, 3U, 6U}) {
-    const Partition triangles = recursive_spectral_bisection(dual_graph(mesh), parts);
-    const Partition vertices = vertex_partition_from_dual(mesh, triangles);
+    const auto triangles = partition_of<TriangleId>(recursive_spectral_bisection(dual_graph(mesh), parts));
+    const VertexPartition vertices = vertex_partition_from_dual(mesh, triangles);
     REQUIRE(vertices.part_of.size() == mesh.vertex_count());
     std::vector<std::vector<std::uint32_t>> votes(mesh.vertex_count(), std::vector<std::uint32_t>(parts, 0));
     for (const TriangleId t : mesh.corners.ids())
-      for (const VertexId v : mesh.corners[t]) ++votes[v.index()][triangles.part_of[t.index()]];
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-      const auto winner = std::ranges::max_element(votes[v]) - votes[v].begin();  // the first of the largest
+      for (const VertexId v : mesh.corners[t]) ++votes[v.index()][triangles.part_of[t]];
+    for (const VertexId v : mesh.points.ids()) {
+      const auto& here = votes[v.index()];
+      const auto winner = std::ranges::max_element(here) - here.begin();  // the first of the largest
       CHECK(vertices.part_of[v] == winner);
     }
   }
@@ -256,6 +257,33 @@ TEST_CASE("partitions_of_the_wrong_size_or_with_wrong_parts_are_refused") {
   const Partition wild{2, {0, 1, 2}, PartitionOutcome::done};
   CHECK_THROWS_WITH_AS(static_cast<void>(partition_cost(path(3), wild)),
                        doctest::Contains("entry 2 names part 2"), InputError);
-  CHECK_THROWS_AS(static_cast<void>(vertex_partition_from_dual(random_triangulation(2, 2, 1), short_one)),
+  CHECK_THROWS_AS(static_cast<void>(vertex_partition_from_dual(random_triangulation(2, 2, 1),
+                                                               partition_of<TriangleId>(short_one))),
                   InputError);
+}
+
+TEST_CASE("a_mesh_is_cut_in_one_call_as_its_graph_is_in_two") {
+  const TriangleMesh mesh = random_triangulation(9, 7, 4);
+  const TrianglePartition triangles = partition_triangles(mesh, 5);
+  CHECK(triangles.part_of.flat() == partition(dual_graph(mesh), 5).part_of);
+  const VertexPartition vertices = partition_vertices(mesh, 5);
+  CHECK(vertices.part_of.flat() == partition(vertex_graph(mesh, mesh::build_edges(mesh)), 5).part_of);
+  CHECK(partition_cost(dual_graph(mesh), triangles).cut ==
+        partition_cost(dual_graph(mesh), Partition{5, triangles.part_of.flat()}).cut);
+  static_assert(!std::is_convertible_v<VertexPartition, TrianglePartition>);
+  static_assert(!std::is_convertible_v<Partition, TrianglePartition>);
+}
+
+TEST_CASE("geometric_methods_cut_a_mesh_by_its_own_points") {
+  const TriangleMesh mesh = random_triangulation(9, 7, 4);
+  const PartitionOptions options{.method = PartitionMethod::coordinate};
+  CHECK(partition_vertices(mesh, 4, options).part_of.flat() ==
+        recursive_coordinate_bisection(mesh.points.flat(), 4).part_of);
+  const TrianglePartition triangles = partition_triangles(mesh, 2, options);
+  for (const TriangleId t : mesh.corners.ids()) {  // 9 wide: the cut runs near x = 4.5
+    double x = 0;
+    for (const VertexId v : mesh.corners[t]) x += mesh.points[v].x / 3;
+    if (x < 4) CHECK(triangles.part_of[t] == 0);
+    if (x > 5) CHECK(triangles.part_of[t] == 1);
+  }
 }

@@ -19,17 +19,20 @@ using solver::LinearReport;
 
 /// A matrix of 4 x 4 blocks with its pattern; blocks of 16, column by column, as BlockSystem takes them.
 struct Blocks {
-  std::vector<std::int32_t> row_offset{0}, column;
+  solver::BlockPattern pattern;
   std::vector<double> values;
 
-  [[nodiscard]] std::size_t rows() const { return row_offset.size() - 1; }
+  [[nodiscard]] std::size_t rows() const { return pattern.size(); }
   [[nodiscard]] std::vector<double> times(std::span<const double> x) const {
     std::vector<double> y(4 * rows());
+    const double* block = values.data();
     for (std::size_t r = 0; r < rows(); ++r)
-      for (auto s = static_cast<std::size_t>(row_offset[r]); s < static_cast<std::size_t>(row_offset[r + 1]); ++s)
+      for (const std::int32_t column : pattern[r]) {
         for (std::size_t j = 0; j < 4; ++j)
           for (std::size_t i = 0; i < 4; ++i)
-            y[4 * r + i] += values[16 * s + 4 * j + i] * x[4 * static_cast<std::size_t>(column[s]) + j];
+            y[4 * r + i] += block[4 * j + i] * x[4 * static_cast<std::size_t>(column) + j];
+        block += 16;
+      }
     return y;
   }
 };
@@ -44,11 +47,11 @@ Blocks random_blocks(std::size_t rows, std::initializer_list<std::size_t> distan
     for (std::size_t c = 0; c < rows; ++c) {
       const std::size_t distance = r > c ? r - c : c - r;
       if (std::find(distances.begin(), distances.end(), distance) == distances.end()) continue;
-      a.column.push_back(static_cast<std::int32_t>(c));
+      a.pattern.add_link(static_cast<std::int32_t>(c));
       for (std::size_t k = 0; k < 16; ++k)
         a.values.push_back(any(random) + (distance == 0 && k % 5 == 0 ? dominance : 0));
     }
-    a.row_offset.push_back(static_cast<std::int32_t>(a.column.size()));
+    a.pattern.end_row();
   }
   return a;
 }
@@ -71,7 +74,7 @@ TEST_CASE("block_tridiagonal_systems_are_solved_by_their_factors_alone") {
   test::start_petsc();
   const Blocks a = random_blocks(30, {0, 1}, 6, 1);  // ILU(0) drops nothing there
   const std::vector<double> exact = random_vector(4 * a.rows(), 2), b = a.times(exact);
-  BlockSystem system(a.row_offset, a.column);
+  BlockSystem system(a.pattern);
   REQUIRE(system.factor(a.values));
   std::vector<double> x(b.size(), 7.0);  // what is in x does not matter
   const LinearReport report = system.solve(b, x, {1e-12, 30});
@@ -84,7 +87,7 @@ TEST_CASE("systems_with_fill_are_solved_and_the_report_gives_the_true_residual")
   test::start_petsc();
   const Blocks a = random_blocks(40, {0, 1, 5, 6}, 9, 3);
   const std::vector<double> exact = random_vector(4 * a.rows(), 4), b = a.times(exact);
-  BlockSystem system(a.row_offset, a.column);
+  BlockSystem system(a.pattern);
   REQUIRE(system.factor(a.values));
   std::vector<double> x(b.size());
   const LinearReport report = system.solve(b, x, {1e-3, 60});
@@ -107,14 +110,14 @@ TEST_CASE("a_product_of_ones_own_takes_the_matrix_place_and_the_factors_precondi
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = 2 * y[i] + x[i];
     return y;
   };
-  BlockSystem system(a.row_offset, a.column);
+  BlockSystem system(a.pattern);
   REQUIRE(system.factor(a.values));
   std::vector<double> x(exact.size());
-  const LinearReport report =
-      system.solve(twice_plus(exact), x, {1e-12, 100}, [&](std::span<const double> from, std::span<double> to) {
-        const std::vector<double> y = twice_plus(from);
-        std::copy(y.begin(), y.end(), to.begin());
-      });
+  const LinearReport report = system.solve(twice_plus(exact), x, {1e-12, 100},
+                                           [&](std::span<const double> from, std::span<double> to) {
+                                             const std::vector<double> y = twice_plus(from);
+                                             std::copy(y.begin(), y.end(), to.begin());
+                                           });
   CHECK(report.outcome == LinearOutcome::reached);
   CHECK(largest_difference(x, exact) < 1e-9);
 }
@@ -123,7 +126,7 @@ TEST_CASE("an_iteration_limit_and_a_stop_are_outcomes") {
   test::start_petsc();
   const Blocks a = random_blocks(40, {0, 1, 5, 6}, 6, 7);
   const std::vector<double> b = random_vector(4 * a.rows(), 8);
-  BlockSystem system(a.row_offset, a.column);
+  BlockSystem system(a.pattern);
   REQUIRE(system.factor(a.values));
   std::vector<double> x(b.size());
   const LinearReport limited = system.solve(b, x, {1e-14, 2});
@@ -138,7 +141,7 @@ TEST_CASE("an_iteration_limit_and_a_stop_are_outcomes") {
 TEST_CASE("a_singular_or_non_finite_pivot_block_is_refused_and_a_good_matrix_taken_after_it") {
   test::start_petsc();
   Blocks a = random_blocks(6, {0, 1}, 6, 9);
-  BlockSystem system(a.row_offset, a.column);
+  BlockSystem system(a.pattern);
   Blocks bad = a;
   std::fill_n(bad.values.begin(), 16, 0.0);  // the first row's diagonal block
   CHECK_FALSE(system.factor(bad.values));
@@ -156,7 +159,7 @@ TEST_CASE("what_a_product_throws_reaches_the_caller_and_the_system_stays_usable"
   test::start_petsc();
   const Blocks a = random_blocks(12, {0, 1, 3}, 8, 11);
   const std::vector<double> exact = random_vector(4 * a.rows(), 12), b = a.times(exact);
-  BlockSystem system(a.row_offset, a.column);
+  BlockSystem system(a.pattern);
   REQUIRE(system.factor(a.values));
   std::vector<double> x(b.size());
   int calls = 0;

@@ -52,11 +52,11 @@ TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_th
   for (std::size_t v = 0; v < plan.vertex_count; ++v)
     for (std::size_t i = 0; i < 4; ++i) {
       double low = value(v, i), high = low;
-      for (std::uint32_t s = plan.offset[v]; s < plan.offset[v + 1]; ++s) {
-        low = std::min(low, value(plan.neighbour[s], i));
-        high = std::max(high, value(plan.neighbour[s], i));
+      for (const std::uint32_t w : plan.neighbours[v]) {
+        low = std::min(low, value(w, i));
+        high = std::max(high, value(w, i));
       }
-      for (std::uint32_t s = plan.offset[v]; s < plan.offset[v + 1]; ++s) {
+      for (std::uint32_t s = plan.neighbours.offsets()[v]; s < plan.neighbours.offsets()[v + 1]; ++s) {
         const auto at_face = [&](const std::vector<double>& g) {
           return value(v, i) + plan.slot[s].half_x * g[8 * v + i] + plan.slot[s].half_y * g[8 * v + 4 + i];
         };

@@ -300,8 +300,8 @@ TEST_CASE("first_order_jacobian_is_the_residuals_derivative_at_a_uniform_state")
   };
   for (std::uint32_t v = 0; v < n; ++v) {
     add(v, v, plan.diagonal_block(v));
-    for (std::uint32_t s = plan.offset[v]; s < plan.offset[v + 1]; ++s)
-      add(v, plan.neighbour[s], plan.neighbour_block(v, s));
+    for (std::uint32_t s = plan.neighbours.offsets()[v]; s < plan.neighbours.offsets()[v + 1]; ++s)
+      add(v, plan.neighbours.links()[s], plan.neighbour_block(v, s));
   }
   for (std::size_t i = 0; i < 4 * n; ++i) CHECK(std::abs((high[i] - low[i]) / (2 * e) - product[i]) < 1e-7);
 }
