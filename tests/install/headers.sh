@@ -7,7 +7,9 @@ set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 rest=""
 if [ "$1" = --rest ]; then rest=1 && shift; fi
-build=$1 folder=$2
+build=$1
+mkdir -p "$2"
+folder=$(cd "$2" && pwd)
 shift 2
 rm -rf "$folder"
 cmake --install "$build" --prefix "$folder" --component development >/dev/null

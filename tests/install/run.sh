@@ -48,11 +48,13 @@ check_headers() {
   done
 }
 
+mkdir -p "$2"
+folder=$(cd "$2" && pwd)
 if [ "$1" != --all ]; then
-  rm -rf "$2/prefix"
-  cmake --install "$1" --prefix "$2/prefix" >/dev/null
-  check_headers "$2/prefix/include"
-  check_installed "$2/prefix" "$2/build" "$3" "${4:-}"
+  rm -rf "$folder/prefix"
+  cmake --install "$1" --prefix "$folder/prefix" >/dev/null
+  check_headers "$folder/prefix/include"
+  check_installed "$folder/prefix" "$folder/build" "$3" "${4:-}"
   exit
 fi
 
@@ -67,7 +69,7 @@ build_library() {
   cmake --install "$folder/library" --prefix "$folder/prefix" >/dev/null
 }
 
-all=$2
+all=$folder
 peers=()
 if [ -f /usr/include/metis.h ]; then peers+=(-DLEONHARD_METIS=ON); fi
 if [ -f /usr/include/scotch/scotch.h ]; then peers+=(-DLEONHARD_SCOTCH=ON); fi
