@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 

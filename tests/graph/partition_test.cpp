@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "leonhard/graph/fiedler.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "tests/graph/graphs.hpp"
 
