@@ -23,7 +23,7 @@ mpq_class exact_area2(const TriangleMesh& mesh) {
 }
 
 mpq_class exact_boundary_area2(const TriangleMesh& mesh) {
-  require_ids_in_range(mesh);
+  require_boundary_in_range(mesh);
   ExactSum sum;
   for (const MarkedEdge& edge : mesh.boundary) add_cross(sum, mesh.points[edge.from], mesh.points[edge.to]);
   return sum.value();

@@ -24,7 +24,7 @@ mpq_class exact_volume6(const TetMesh& mesh) {
 }
 
 mpq_class exact_boundary_volume6(const TetMesh& mesh) {
-  require_ids_in_range(mesh);
+  require_boundary_in_range(mesh);
   ExactSum sum;
   for (const MarkedFace& face : mesh.boundary) add_face(sum, mesh, face.corners);
   return sum.value();

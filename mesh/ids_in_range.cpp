@@ -47,6 +47,11 @@ void require_corners_in_range(const SimplexMesh<Dim>& mesh) {
 }
 
 template <int Dim>
+void require_boundary_in_range(const SimplexMesh<Dim>& mesh) {
+  require_facets_in_range(mesh, mesh.boundary, "boundary");
+}
+
+template <int Dim>
 void require_ids_in_range(const SimplexMesh<Dim>& mesh) {
   require_size("neighbours", mesh.neighbours.size(), mesh.cell_count(), Simplex<Dim>::cells);
   require_size("regions", mesh.regions.size(), mesh.cell_count(), Simplex<Dim>::cells);
@@ -57,7 +62,7 @@ void require_ids_in_range(const SimplexMesh<Dim>& mesh) {
       if (neighbour && !mesh.corners.contains(*neighbour))
         refuse_id(std::string("as neighbour, ") + Simplex<Dim>::cell + " " + std::to_string(t.raw),
                   (*neighbour).raw, mesh.cell_count());
-  require_facets_in_range(mesh, mesh.boundary, "boundary");
+  require_boundary_in_range(mesh);
   require_facets_in_range(mesh, mesh.inner_facets(), "inner");
 }
 
@@ -65,5 +70,7 @@ template void require_ids_in_range(const SimplexMesh<2>&);
 template void require_ids_in_range(const SimplexMesh<3>&);
 template void require_corners_in_range(const SimplexMesh<2>&);
 template void require_corners_in_range(const SimplexMesh<3>&);
+template void require_boundary_in_range(const SimplexMesh<2>&);
+template void require_boundary_in_range(const SimplexMesh<3>&);
 
 }  // namespace leonhard::mesh

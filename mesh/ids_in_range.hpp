@@ -19,9 +19,15 @@ void require_ids_in_range(const SimplexMesh<Dim>& mesh);
 template <int Dim>
 void require_corners_in_range(const SimplexMesh<Dim>& mesh);
 
+/// The boundary alone: all that a sum over it reads.
+template <int Dim>
+void require_boundary_in_range(const SimplexMesh<Dim>& mesh);
+
 extern template void require_ids_in_range(const SimplexMesh<2>&);
 extern template void require_ids_in_range(const SimplexMesh<3>&);
 extern template void require_corners_in_range(const SimplexMesh<2>&);
 extern template void require_corners_in_range(const SimplexMesh<3>&);
+extern template void require_boundary_in_range(const SimplexMesh<2>&);
+extern template void require_boundary_in_range(const SimplexMesh<3>&);
 
 }  // namespace leonhard::mesh

@@ -105,7 +105,7 @@ TEST_CASE("concavities_stay_where_the_convex_hull_is_kept") {
   CHECK(mesh::exact_area2(hull.mesh) == kernel::exact::area2(outline));
 }
 
-TEST_CASE("boundary_edges_carry_their_segments_marker_and_1_where_there_is_none") {
+TEST_CASE("boundary_edges_carry_their_segments_marker_and_0_where_there_is_none") {
   Pslg pslg;
   shapes::add_loop(pslg, shapes::box(0, 0, 4, 4), 0);
   pslg.segments[1].marker = 9;
@@ -116,7 +116,7 @@ TEST_CASE("boundary_edges_carry_their_segments_marker_and_1_where_there_is_none"
   const TriangleMesh mesh = triangulate(pslg).mesh;
   std::multiset<Marker> markers;
   for (const MarkedEdge& e : mesh.boundary) markers.insert(e.marker);
-  CHECK(markers == std::multiset<Marker>{1, 1, 1, 9});
+  CHECK(markers == std::multiset<Marker>{0, 0, 0, 9});
   REQUIRE(mesh.constraints.size() == 1);
   CHECK(mesh.constraints[0].marker == 6);
   CHECK(mesh.vertex_markers.flat() == std::vector<Marker>{0, 3, 0, 0, 8});

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "tests/mesh/tet_shelf.hpp"
 
@@ -94,7 +95,9 @@ TEST_CASE("tetrahedral_account_does_not_balance_when_an_independent_count_is_wro
 
   auto unused = mesh;
   unused.points.push_back({9, 9, 9});
-  CHECK(broken(mesh::euler_account(unused, faces, edges)) == std::set<std::string>{"vertices"});
+  CHECK(broken(mesh::euler_account(unused, mesh::build_faces(unused), mesh::build_edges(unused))) ==
+        std::set<std::string>{"vertices"});
+  CHECK_THROWS_AS((void)mesh::euler_account(unused, faces, edges), InputError);  // they are of another mesh
 }
 
 TEST_CASE("tetrahedral_account_does_not_balance_when_neighbours_are_parted") {

@@ -181,14 +181,14 @@ Marker checked_group(Marker marker) {
   return marker;
 }
 
-bool is_plain(const std::string& name) {
+bool fits_into_quotes(const std::string& name) {
   return std::none_of(name.begin(), name.end(),
                       [](char c) { return c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
 }
 
 void add_names(GmshData& data, const std::map<Marker, std::string>& names, int dimension) {
   for (const auto& [marker, name] : names) {
-    if (!is_plain(name))
+    if (!fits_into_quotes(name))
       throw InputError("marker " + std::to_string(marker),
                        "its name " + in_quotes(name) + " holds a quotation mark or a control character",
                        "choose a name that a .msh file can hold");
@@ -202,7 +202,7 @@ void add_fields(GmshData& data, const std::vector<Field>& fields, std::size_t co
   check_fields(fields, count, {});
   for (const Field& field : fields) {
     const std::size_t n = field.components, written = n == 2 ? 3 : n;
-    if (!is_plain(field.name) || (written != 1 && written != 3 && written != 9))
+    if (!fits_into_quotes(field.name) || (written != 1 && written != 3 && written != 9))
       throw InputError("field " + in_quotes(field.name),
                        written != 1 && written != 3 && written != 9
                            ? "it has " + std::to_string(n) + " components, and Gmsh knows 1, 3 and 9"

@@ -9,6 +9,8 @@
 #include "tests/app/input_error_of.hpp"
 
 using namespace leonhard::app;
+using leonhard::BoundaryKind;
+using leonhard::LimiterKind;
 
 namespace {
 

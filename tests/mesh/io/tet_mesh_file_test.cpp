@@ -177,7 +177,7 @@ TEST_CASE("soups_that_are_no_mesh_are_refused_with_ids_and_lines") {
   has(complaint([](io::MeshSoup<3>& s) { s.cells.clear(); }), "no tetrahedra");
   has(complaint([](io::MeshSoup<3>& s) { s.points[VertexId{3}].z = std::nan(""); }), "vertex 3 is at (");
   has(complaint([](io::MeshSoup<3>& s) {
-        s.cells[1] = {{VertexId{0}, VertexId{1}, VertexId{2}, VertexId{8}}, 9};
+        s.cells[1] = {{VertexId{0}, VertexId{1}, VertexId{2}, VertexId{8}}, 4, 9};
       }),
       "soup:9: tetrahedron 1 names vertex 8, but the file has only vertices 0 to 7");
   has(complaint([](io::MeshSoup<3>& s) {
@@ -193,8 +193,8 @@ TEST_CASE("soups_that_are_no_mesh_are_refused_with_ids_and_lines") {
         s.points.push_back({0.5, 0.25, -1});
         s.points.push_back({0.5, 0.25, -2});
         const auto& face = s.facets.front().corners;
-        s.cells.push_back({{face[0], face[2], face[1], VertexId{8}}, 0});
-        s.cells.push_back({{face[0], face[2], face[1], VertexId{9}}, 0});
+        s.cells.push_back({{face[0], face[2], face[1], VertexId{8}}, 4, 0});
+        s.cells.push_back({{face[0], face[2], face[1], VertexId{9}}, 4, 0});
       }),
       "tetrahedr");
   has(complaint([](io::MeshSoup<3>& s) { s.points.push_back({9, 9, 9}); }), "vertex 8 at (9, 9, 9)");
