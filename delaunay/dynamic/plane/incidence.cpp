@@ -112,17 +112,20 @@ VoronoiCell DynamicTriangulation::voronoi_cell(VertexId v) const {
   do {
     const AnyTriangleId before = triangles_.triangle(triangles_.twin(side)), t = triangles_.triangle(side);
     const VertexId w = triangles_.destination(side);
-    if (triangles_.is_ghost(before)) cell.rays.push_back(outwards(v, w));
-    if (triangles_.is_ghost(t)) {
+    const bool begins_outside = triangles_.is_ghost(before), ends_outside = triangles_.is_ghost(t);
+    const SideId here = side;
+    side = triangles_.turn_about_origin(side);
+    if (begins_outside && ends_outside) continue;  // the side to the ghost
+    if (begins_outside) cell.rays.push_back(outwards(v, w));
+    if (ends_outside) {
       cell.rays.push_back(outwards(w, v));
       cell.across.push_back(w);
-    } else if (!triangles_.is_ghost(before) && !cell.corners.empty() && has_one_circle(side)) {
+    } else if (!begins_outside && !cell.corners.empty() && has_one_circle(here)) {
       merge(cell.corners.back(), centre(t));
     } else {
       cell.corners.push_back(centre(t));
       cell.across.push_back(w);
     }
-    side = triangles_.turn_about_origin(side);
   } while (side != first);
   // All around an inner vertex the first side, too, may have no length.
   if (cell.rays.empty() && has_one_circle(first)) {
