@@ -70,8 +70,8 @@ class DynamicQueries {
   [[nodiscard]] std::vector<VertexId> k_nearest_vertices(const PointT& p, std::size_t k,
                                                          MaybeId<VertexId> hint = {}) const;
   /// Sibson's weights: the shares of the Voronoi cell that p would have if it were inserted, by the cells that they are
-  /// cut from. On a vertex that vertex alone. On the hull, and on a line, where that cell would have no bound, the limit:
-  /// linear between the ends of an edge, and in space Sibson's weights by areas within a plane of the hull.
+  /// cut from. On a vertex that vertex alone. On the hull, and on a line, where that cell would have no bound: linear
+  /// between the ends of an edge (the limit from within), and in space Sibson's weights by areas within a plane of the hull.
   ///
   /// Method: R. Sibson, "A brief description of natural neighbour interpolation" (1981). Weights are evaluated in floating
   /// point and, where the combination misses p by more than 2^-33 of the distances that it sums, in rational numbers.

@@ -73,7 +73,7 @@ struct BlockSystem::Petsc {
   const LinearOperator* product = nullptr;
   std::exception_ptr thrown;  ///< by the product: kept while PETSc's C frames are left by an error code
   std::stop_token stop;
-  bool stopped = false;
+  bool stopped = false, has_factors = false;
   double first_norm = 0, last_norm = 0, relative_tolerance = 0;
   PetscInt max_iterations = 0;
 
@@ -191,9 +191,21 @@ BlockSystem::~BlockSystem() = default;
 BlockSystem::BlockSystem(BlockSystem&&) noexcept = default;
 BlockSystem& BlockSystem::operator=(BlockSystem&&) noexcept = default;
 
+namespace {
+
+/// Zero times a number is zero, but NaN for NaN and infinity.
+bool all_finite(std::span<const double> numbers) {
+  double sum = 0;
+  for (const double number : numbers) sum += 0 * number;
+  return sum == 0;
+}
+
+}  // namespace
+
 bool BlockSystem::factor(std::span<const double> blocks) {
   Petsc& self = *petsc_;
   require_size("blocks", blocks.size(), self.block_numbers);
+  if (!all_finite(blocks.first(self.block_numbers))) return false;  // PETSc's pivot test lets NaN pass
   PetscScalar* values = nullptr;
   check(MatSeqBAIJGetArray(self.matrix, &values), "MatSeqBAIJGetArray");
   std::copy_n(blocks.begin(), self.block_numbers, values);
@@ -201,13 +213,19 @@ bool BlockSystem::factor(std::span<const double> blocks) {
   check(MatAssemblyBegin(self.matrix, MAT_FINAL_ASSEMBLY),
         "MatAssemblyBegin");  // tells PETSc that blocks changed
   check(MatAssemblyEnd(self.matrix, MAT_FINAL_ASSEMBLY), "MatAssemblyEnd");
+  PC pc = nullptr;
+  check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
+  if (self.has_factors) {  // PETSc leaves the mark of a failed factorisation on the factors
+    Mat factors = nullptr;
+    check(PCFactorGetMatrix(pc, &factors), "PCFactorGetMatrix");
+    check(MatFactorClearError(factors), "MatFactorClearError");
+  }
   check(KSPSetReusePreconditioner(self.ksp, PETSC_FALSE), "KSPSetReusePreconditioner");
   check(KSPSetOperators(self.ksp, self.matrix, self.matrix), "KSPSetOperators");
   check(KSPSetUp(self.ksp), "KSPSetUp");
   check(KSPSetReusePreconditioner(self.ksp, PETSC_TRUE), "KSPSetReusePreconditioner");
-  PC pc = nullptr;
+  self.has_factors = true;
   PCFailedReason failed = PC_NOERROR;
-  check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
   check(PCGetFailedReason(pc, &failed), "PCGetFailedReason");
   return failed == PC_NOERROR;
 }

@@ -78,7 +78,7 @@ class BlockSystem {
 
   /// Set the matrix and its incomplete factors ILU(0) in the rows' own order.
   /// blocks   16 numbers a block of the pattern, column by column; may be longer, InputError if it is shorter
-  /// returns  false where a pivot block is singular or not finite
+  /// returns  false where a pivot block is singular or a number is not finite; other blocks may be given then
   [[nodiscard]] bool factor(std::span<const double> blocks);
 
   /// Solve A x = b by GMRES, preconditioned from the right by the last factors, started at 0.

@@ -37,7 +37,7 @@ SteadyResult solve_about_naca0012(double mach, LimiterKind limiter) {
 
 TEST_CASE("subsonic_naca0012_has_the_published_lift_and_no_drag") {
   const Forces forces = solve_about_naca0012(0.5, LimiterKind::none).forces;
-  CHECK(forces.cl == doctest::Approx(0.17978).epsilon(0.01));
+  CHECK(forces.cl == doctest::Approx(0.17978).epsilon(0.025).scale(0));
   CHECK(std::abs(forces.cd) < 0.0010);
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("transonic_naca0012_has_lift_and_drag_among_the_published_ones") {
   const Forces forces = solve_about_naca0012(0.8, LimiterKind::venkatakrishnan).forces;
   CHECK(forces.cl > 0.334);
   CHECK(forces.cl < 0.363);
-  CHECK(forces.cd == doctest::Approx(0.0225).epsilon(0.06));
+  CHECK(forces.cd == doctest::Approx(0.0225).epsilon(0.08).scale(0));
 }
 
 }  // namespace
