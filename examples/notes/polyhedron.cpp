@@ -58,7 +58,7 @@ class View {
 
 Diagram polyhedron(const Polyhedron& body) {
   Diagram diagram;
-  diagram.title = "(a) A polyhedron: " + formula(body.points.size(), edges_of(body).size(), body.faces.size());
+  diagram.title = "(a) In space: " + formula(body.points.size(), edges_of(body).size(), body.faces.size());
   std::set<Edge> seen;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     const auto& face = body.faces[f];
@@ -134,7 +134,8 @@ Diagram embedding(const Polyhedron& body) {
   const std::set<Edge> edges = edges_of(body);
   const auto faces = faces_of_drawing(at, edges);
   Diagram diagram;
-  diagram.title = "(b) In the plane, the face 1-2-3-4 outside: " + formula(at.size(), edges.size(), faces.size());
+  diagram.title = "(b) In the plane, A outside: " + formula(at.size(), edges.size(), faces.size());
+  diagram.region = draw::Box{{-0.3, -0.3}, {3.7, 3.3}};
   for (const auto& face : faces) {
     std::vector<std::size_t> sorted = face;
     std::sort(sorted.begin(), sorted.end());
@@ -146,7 +147,7 @@ Diagram embedding(const Polyhedron& body) {
     std::vector<Point2> outline;
     for (const std::size_t v : face) outline.push_back(at[v]);
     const bool outside = same == body.faces.begin();
-    diagram.words.push_back({outside ? Point2{3.35, 2.6} : centroid(outline), name, {}, second});
+    diagram.words.push_back({outside ? Point2{3.4, 1.5} : centroid(outline), name, {}, second});
   }
   for (const auto& [a, b] : edges) diagram.add_segment(at[a], at[b], {.width = 1.8});
   for (std::size_t v = 0; v < at.size(); ++v) {
