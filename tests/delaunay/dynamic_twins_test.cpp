@@ -122,7 +122,7 @@ auto places(const Sites& sites, std::size_t count, std::uint64_t seed) {
   for (const VertexId v : sites.vertices()) points.push_back(sites.point(v));
   for (const auto& [a, b] : sites.edges()) points.push_back(T::between(sites.point(a), sites.point(b), 0.5));
   for (std::size_t i = points.size(); i-- > 0;) {
-    const auto& p = points[random() % points.size()];
+    const auto p = points[random() % points.size()];
     points.push_back(T::between(points[random() % points.size()], p, 0.25));
     points.push_back(T::between(points[i], p, 1.25));
   }
