@@ -89,18 +89,18 @@ KwayGraph KwaySubgraph::operator()(std::span<const std::uint32_t> vertices,
 }
 
 KwayComponents components(const KwayGraph& graph) {
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  KwayComponents result{std::vector<std::uint32_t>(graph.size(), none), 0};
+  constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
+  KwayComponents result{std::vector<std::uint32_t>(graph.size(), unknown), 0};
   std::vector<std::uint32_t> stack;
   for (std::uint32_t root = 0; root < graph.size(); ++root) {
-    if (result.component_of[root] != none) continue;
+    if (result.component_of[root] != unknown) continue;
     result.component_of[root] = result.count;
     stack.push_back(root);
     while (!stack.empty()) {
       const std::uint32_t v = stack.back();
       stack.pop_back();
       for (const Arc& arc : graph.row(v))
-        if (result.component_of[arc.to] == none) {
+        if (result.component_of[arc.to] == unknown) {
           result.component_of[arc.to] = result.count;
           stack.push_back(arc.to);
         }
