@@ -140,7 +140,9 @@ class Sequence {
   /// p is in the cells of those vertices that no other one is nearer than.
   void check_cells(Point2 p) const {
     const MaybeId<VertexId> nearest = sites_.nearest_vertex(p);
-    for (const auto& [q, v] : ids_) {
+    for (const auto& entry : ids_) {
+      const Point2 q = entry.first;  // clang 14 captures no structured binding
+      const VertexId v = entry.second;
       const auto is_nearer = [&](VertexId w) {
         return kernel::exact::compare_distance(p, sites_.point(w), q) == Sign::negative;
       };

@@ -15,6 +15,7 @@
 #include "leonhard/graph/graph_file.hpp"
 #include "leonhard/graph/order.hpp"
 #include "leonhard/graph/orientation.hpp"
+#include "leonhard/graph/partition.hpp"
 #include "leonhard/graph/separator/separator.hpp"
 #include "leonhard/kernel/input_error.hpp"
 
@@ -116,7 +117,8 @@ void check_orders(const CsrGraph& graph, std::uint64_t seed) {
   std::vector<Point3> points;
   for (std::uint32_t v = 0; v < vertex_count(graph); ++v)
     points.push_back({static_cast<double>((v * seed) % 7), static_cast<double>(v % 5), 0});
-  for (const auto& [name, method] : named_order_methods) {
+  for (const auto& [name, method, of_boost] : named_order_methods) {
+    (void)of_boost;
     const OrderResult found = order(graph, {.method = method, .coordinates = points, .seed = seed});
     std::vector<std::uint32_t> sorted = found.order;
     std::ranges::sort(sorted);
