@@ -15,6 +15,7 @@
 #include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/permute.hpp"
+#include "leonhard/solver/linear_solver.hpp"
 #include "leonhard/solver/residual.hpp"
 #include "leonhard/solver/steady.hpp"
 
