@@ -49,7 +49,7 @@ struct TetVoronoiCell {
   [[nodiscard]] bool is_bounded() const { return !corners.empty() && rays.empty(); }
 };
 
-/// The Delaunay tetrahedralisation of a point set that changes: points come and go in any order, and at any time the
+/// The Delaunay tetrahedralisation of a point set that changes: points are inserted and removed in any order, and at any time the
 /// tetrahedra are those that tetrahedralize() would give for the points that are there, ties included
 /// (kernel::insphere_perturbed). No order, hint or number of threads enters. DynamicTriangulation in space.
 ///

@@ -41,7 +41,7 @@ struct VoronoiCell {
   [[nodiscard]] bool is_bounded() const { return !corners.empty() && rays.empty(); }
 };
 
-/// The Delaunay triangulation of a point set that changes: points come and go in any order, and at any time
+/// The Delaunay triangulation of a point set that changes: points are inserted and removed in any order, and at any time
 /// the triangles are those that triangulate() would give for the points that are there, ties included
 /// (kernel::incircle_perturbed). No order, hint or number of threads enters.
 ///
