@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#define DOCTEST_CONFIG_IMPLEMENT  // said for itself, as the header may be precompiled, which makes it of the next name otherwise
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 

@@ -39,8 +39,7 @@ class CountedBytes {
     ++*this;
     return old;
   }
-  friend bool operator==(const CountedBytes& a, const CountedBytes& b) { return a.at_ == b.at_; }
-  friend bool operator!=(const CountedBytes& a, const CountedBytes& b) { return a.at_ != b.at_; }
+  bool operator==(const CountedBytes& other) const { return at_ == other.at_; }
 
  private:
   const char* at_;

@@ -57,7 +57,8 @@ void require_separated(const CutOrder& order, std::size_t first, std::size_t las
 }
 
 TEST_CASE("every_cut_separates_the_points_before_it_from_those_after_it") {
-  for (const auto& [name, points] : sets()) {
+  for (const auto& [label, points] : sets()) {
+    const auto& name = label;  // clang 14 captures no binding
     CAPTURE(name);
     const CutOrder order = *sort_by_cuts(points, 1, {});
     REQUIRE(order.cut_depth.size() == order.sorted.points.size());
@@ -66,7 +67,8 @@ TEST_CASE("every_cut_separates_the_points_before_it_from_those_after_it") {
 }
 
 TEST_CASE("the_cut_order_holds_each_place_once_and_knows_who_was_there") {
-  for (const auto& [name, points] : sets()) {
+  for (const auto& [label, points] : sets()) {
+    const auto& name = label;  // clang 14 captures no binding
     CAPTURE(name);
     const delaunay::SortedPoints sorted = sort_by_cuts(points, 1, {})->sorted;
     std::vector<Point2> distinct = points, found = sorted.points;

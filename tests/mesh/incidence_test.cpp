@@ -63,7 +63,8 @@ void check_fans(const TriangleMesh& mesh, VertexId v, std::span<const TriangleId
 }  // namespace
 
 TEST_CASE("triangles_at_a_vertex_are_those_that_name_it_in_counter_clockwise_fans") {
-  for (const auto& [name, mesh, components, holes, pinches] : shelf::all()) {
+  for (const auto& [label, mesh, components, holes, pinches] : shelf::all()) {
+    const auto& name = label;  // clang 14 captures no binding
     CAPTURE(name);
     const mesh::TriangleIncidence incidence(mesh);
     CHECK(incidence.vertex_count() == mesh.vertex_count());

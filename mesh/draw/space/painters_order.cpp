@@ -132,8 +132,8 @@ std::vector<std::uint32_t> painters_order(std::span<const Facet> facets, const R
     if (is_painted[f] != 0) continue;
     is_painted[f] = 1;
     order.push_back(f);
-    const auto [first, last] = std::ranges::equal_range(pairs, f, {}, &std::pair<Number, Number>::first);
-    for (auto pair = first; pair != last; ++pair) {
+    auto pair = std::ranges::lower_bound(pairs, f, {}, &std::pair<Number, Number>::first);
+    for (; pair != pairs.end() && pair->first == f; ++pair) {
       if (behind_left[pair->second] > 0 && --behind_left[pair->second] == 0) ready.push(pair->second);
     }
   }

@@ -69,7 +69,7 @@ TEST_CASE("contour_lines_below_the_asked_value_are_dashed") {
   draw_field(folder / "field.png", mesh, values, options);
   const test::Pixels picture(folder / "field.png");
   const auto [frame, bar, bands] = layout_of(mesh, values, options);
-  const auto dark_share = [&](double at) {
+  const auto dark_share = [&picture, &frame = frame](double at) {
     int dark = 0, all = 0;
     for (double y = 0.1; y < 0.9; y += 0.001, ++all) {
       const Point2 on = frame.page({at, y});

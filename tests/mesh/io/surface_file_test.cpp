@@ -130,7 +130,8 @@ TEST_CASE("every_surface_format_gives_the_same_corner_of_a_cube") {
       {"ascii ply", io::parse_ply(ascii_ply, "s.ply")},
       {"little-endian ply", io::parse_ply(binary_ply(false), "s.ply")},
       {"big-endian ply", io::parse_ply(binary_ply(true), "s.ply")}};
-  for (const auto& [name, surface] : read) {
+  for (const auto& [label, surface] : read) {
+    const auto& name = label;  // clang 14 captures no binding
     CAPTURE(name);
     if (std::string(name).find("stl") == std::string::npos) {
       CHECK(surface.set.points == corner_points);
@@ -170,7 +171,8 @@ TEST_CASE("surface_files_are_told_apart_by_their_names_and_msh_by_its_first_byte
   const std::vector<std::pair<const char*, std::string>> files{
       {"a.OFF", off},   {"b.obj", obj},     {"c.STL", binary_stl()}, {"d.ply", ascii_ply}, {"e.mesh", medit},
       {"f.poly", poly}, {"g.smesh", smesh}, {"h.msh", gmsh},         {"i.msh", jigsaw}};
-  for (const auto& [name, bytes] : files) {
+  for (const auto& [label, bytes] : files) {
+    const auto& name = label;  // clang 14 captures no binding
     CAPTURE(name);
     std::ofstream(folder / name, std::ios::binary) << bytes;
     CHECK(io::read_surface(folder / name).set.points.size() == 4);
