@@ -82,7 +82,9 @@ class XmlParser {
   std::string_view parse_name() {
     const std::size_t end = std::min(text_.find_first_of(" \t\r\n=/><\"'", at_), text_.size());
     if (end == at_) fail("a name was expected");
-    return text_.substr(std::exchange(at_, end), end - at_);
+    const std::string_view name = text_.substr(at_, end - at_);
+    at_ = end;
+    return name;
   }
 
   void parse_attribute(XmlElement& element) {
