@@ -118,10 +118,9 @@ std::string take_compressed(ByteStream& stream, const XmlElement& array, const V
   constexpr std::uint64_t best_ratio = 1040;  // of deflate, a little more than what is possible
   const std::uint64_t blocks = stream.take_size(), block_size = stream.take_size(),
                       partial = stream.take_size();
-  if (blocks == 0) return {};
-  if (block_size > std::numeric_limits<std::uint64_t>::max() / blocks || (partial > block_size))
+  if (blocks > 0 && (block_size > std::numeric_limits<std::uint64_t>::max() / blocks || partial > block_size))
     fail(array, encoding, "has block sizes that contradict each other");
-  const std::uint64_t total = (blocks - 1) * block_size + (partial == 0 ? block_size : partial);
+  const std::uint64_t total = blocks == 0 ? 0 : (blocks - 1) * block_size + (partial == 0 ? block_size : partial);
   if (expected_bytes != any_size && total != expected_bytes)
     fail(
         array, encoding,
