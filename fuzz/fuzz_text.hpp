@@ -28,6 +28,18 @@ struct Format {
   void (*attempt)(const std::string& text);
 };
 
+/// The formats, each reader having accepted its valid text: edits to one that is refused reach nothing.
+inline std::vector<Format> accepted(std::vector<Format> all) {
+  for (const Format& format : all) {
+    try {
+      format.attempt(format.valid);
+    } catch (const InputError& error) {
+      report(std::string("a valid text was refused: ") + error.what(), format.valid);
+    }
+  }
+  return all;
+}
+
 /// Replace, insert and erase bytes, or insert a word that readers fear.
 inline std::string edited(std::string text, Input& input) {
   constexpr std::array words{"nan",         "-inf", "1e999", "-1", "0", "1",      "2",
