@@ -100,7 +100,7 @@ ensure_packages() {
 core_seconds_of() {
   case $1 in
     release) echo 600 ;;
-    dev) echo 1300 ;;
+    dev) echo 1100 ;;
     asan) echo 2600 ;;
   esac
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#define DOCTEST_CONFIG_IMPLEMENT  // said for itself, as the header may be precompiled, which makes it of the next name otherwise
+// The second name implies the first only where doctest's header is read afresh; it may be precompiled.
+#define DOCTEST_CONFIG_IMPLEMENT
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 

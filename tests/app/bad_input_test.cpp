@@ -179,8 +179,8 @@ TEST_CASE("other_subcommands_refuse_bad_files_with_code_2") {
       {"mesh bad.poly -o x.su2", "bad.poly:4"},
       {"mesh nowhere.dat -o x.su2", "nowhere.dat"},
   };
-  for (const auto& [arguments_, word] : table) {
-    const auto& arguments = arguments_;  // clang 14 captures no binding
+  for (const auto& [line, word] : table) {
+    const auto& arguments = line;  // clang 14 captures no binding
     const auto ran = run(arguments, scratch.path());
     CAPTURE(arguments);
     CAPTURE(ran.err);

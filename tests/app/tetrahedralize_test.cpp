@@ -143,8 +143,8 @@ TEST_CASE("points_without_tetrahedra_are_code_3_with_words_that_say_what_to_do_a
       {"line.xyz", "all_collinear", "all 5 distinct points lie exactly on one line; add two points off it"},
       {"plane.xyz", "all_coplanar",
        "all 5 distinct points lie exactly in one plane; add a point off it, or give two"}};
-  for (const auto& [file_, outcome, words] : cases) {
-    const auto& file = file_;  // clang 14 captures no binding
+  for (const auto& [points_file, outcome, words] : cases) {
+    const auto& file = points_file;  // clang 14 captures no binding
     CAPTURE(file);
     const Ran ran = run("tetrahedralize " + file + " -o x.vtu --json", scratch.path());
     CHECK(ran.exit_code == 3);
@@ -293,8 +293,8 @@ TEST_CASE("bad_points_and_meshes_of_space_are_code_2_with_the_place_and_no_file"
       {"convert square.su2 x.mesh", ".mesh is written for meshes of space only"},
       {"convert missing.su2 x.vtu", "missing.su2"},
   };
-  for (const auto& [arguments_, words] : cases) {
-    const auto& arguments = arguments_;  // clang 14 captures no binding
+  for (const auto& [line, words] : cases) {
+    const auto& arguments = line;  // clang 14 captures no binding
     CAPTURE(arguments);
     const Ran ran = run(arguments, scratch.path());
     CAPTURE(ran.err);

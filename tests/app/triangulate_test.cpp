@@ -138,8 +138,8 @@ TEST_CASE("bad_points_are_code_2_with_the_place_and_no_file") {
                                                        {"missing.xy", "file does not exist"},
                                                        {"good.xyy", "did you mean"},
                                                        {"good.xy -o mesh.stl", "no extension of a mesh"}};
-  for (const auto& [arguments_, words] : cases) {
-    const auto& arguments = arguments_;  // clang 14 captures no binding
+  for (const auto& [line, words] : cases) {
+    const auto& arguments = line;  // clang 14 captures no binding
     CAPTURE(arguments);
     const Ran ran = run(std::string("triangulate ") + arguments, scratch.path());
     CAPTURE(ran.err);

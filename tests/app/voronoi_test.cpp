@@ -79,8 +79,8 @@ TEST_CASE("bad_voronoi_input_is_refused_and_no_file_written") {
                                                        {"good.xy --box=0,0,1,inf", "is no box"},
                                                        {"good.xy -o out.su2", "known are"},
                                                        {"good.su2", "no extension of a points file"}};
-  for (const auto& [arguments_, words] : cases) {
-    const auto& arguments = arguments_;  // clang 14 captures no binding
+  for (const auto& [line, words] : cases) {
+    const auto& arguments = line;  // clang 14 captures no binding
     CAPTURE(arguments);
     const Ran ran = run(std::string("voronoi ") + arguments, scratch.path());
     CAPTURE(ran.err);
