@@ -14,15 +14,12 @@
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/io/file_contents.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
+#include "leonhard/mesh/io/formats/vtk_types.hpp"
 #include "leonhard/mesh/io/formats/xml.hpp"
 #include "leonhard/mesh/pslg.hpp"
 
 /// What the grids of the plane and of space have in common. Not meant for callers of the room.
 namespace leonhard::io {
-
-// VTK's cell types.
-inline constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5, vtk_quadrilateral = 9,
-                              vtk_tetrahedron = 10;
 
 /// The cells of a grid.
 struct VtuCells {

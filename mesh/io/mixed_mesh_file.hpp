@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "leonhard/mesh/io/file_contents.hpp"
+#include "leonhard/mesh/mixed_mesh.hpp"
+
+namespace leonhard {
+
+/// What a reader of mixed cells returns: a mesh that passes `mesh::validate`, and in the plane `mesh::validate_embedding`,
+/// and in words what had to be decided on the way (cells turned over, boundary facets without a marker, ...).
+template <int Dim>
+struct MixedMeshFile {
+  MixedMesh<Dim> mesh;
+  std::vector<std::string> warnings;
+  std::vector<PointField> point_fields;  ///< in the file's order
+  std::vector<CellField> cell_fields;
+};
+
+namespace io {
+
+/// Read a mesh of mixed cells, format by extension: .su2.
+///
+/// throws  InputError naming file, line, ids and coordinates: file missing, empty or cut short, unknown extension, a mesh
+///         of the other dimension, NaN, ids out of range, cells that are flat, tangled or turned over, that overlap (in the
+///         plane) or do not conform, boundary facets without a marker
+template <int Dim>
+[[nodiscard]] MixedMeshFile<Dim> read_mixed_mesh(const std::filesystem::path& path);
+
+/// Write a mesh of mixed cells, format by extension as in read_mixed_mesh. The target appears whole or not at all. The mesh
+/// must be valid (`mesh::validate`).
+///
+/// throws  InputError for an unknown extension, or a mesh that the format cannot carry; OutputError if the file cannot be
+///         written
+template <int Dim>
+void write_mixed_mesh(const std::filesystem::path& path, const MixedMesh<Dim>& mesh);
+
+/// ".su2", ...: what read_mixed_mesh and write_mixed_mesh know.
+[[nodiscard]] const std::vector<std::string>& mixed_mesh_extensions();
+
+}  // namespace io
+}  // namespace leonhard
