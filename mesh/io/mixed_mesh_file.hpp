@@ -22,7 +22,7 @@ struct MixedMeshFile {
 
 namespace io {
 
-/// Read a mesh of mixed cells, format by extension: .su2.
+/// Read a mesh of mixed cells, format by extension: .su2, .vtu.
 ///
 /// throws  InputError naming file, line, ids and coordinates: file missing, empty or cut short, unknown extension, a mesh
 ///         of the other dimension, NaN, ids out of range, cells that are flat, tangled or turned over, that overlap (in the
@@ -33,10 +33,13 @@ template <int Dim>
 /// Write a mesh of mixed cells, format by extension as in read_mixed_mesh. The target appears whole or not at all. The mesh
 /// must be valid (`mesh::validate`).
 ///
-/// throws  InputError for an unknown extension, or a mesh that the format cannot carry; OutputError if the file cannot be
-///         written
+/// fields  values at vertices and in cells, for .vtu only; read_mixed_mesh gives them back to the last bit
+/// throws  InputError for an unknown extension, a mesh or fields that the format cannot carry (see the format's header),
+///         fields that do not fit the mesh; OutputError if the file cannot be written
 template <int Dim>
-void write_mixed_mesh(const std::filesystem::path& path, const MixedMesh<Dim>& mesh);
+void write_mixed_mesh(const std::filesystem::path& path, const MixedMesh<Dim>& mesh,
+                      const std::vector<PointField>& point_fields = {},
+                      const std::vector<CellField>& cell_fields = {});
 
 /// ".su2", ...: what read_mixed_mesh and write_mixed_mesh know.
 [[nodiscard]] const std::vector<std::string>& mixed_mesh_extensions();

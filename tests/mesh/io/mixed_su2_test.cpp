@@ -181,11 +181,21 @@ TEST_CASE("su2_bad_meshes_of_mixed_cells_of_the_plane_are_refused") {
 
 TEST_CASE("mixed_mesh_files_are_written_and_read_by_extension") {
   const Folder folder;
-  const auto path = folder.path / "house.su2";
   const MixedMesh<3> mesh = parse(house).mesh;
-  io::write_mixed_mesh(path, mesh);
-  CHECK(io::read_mixed_mesh<3>(path).mesh == mesh);
+  const std::vector<PointField> heights{{"height", 1, {0, 0, 0, 0, 1, 1, 1, 1, 2}}};
+  for (const std::string& extension : io::mixed_mesh_extensions()) {
+    CAPTURE(extension);
+    const auto path = folder.path / ("house" + extension);
+    io::write_mixed_mesh(path, mesh);
+    CHECK(io::read_mixed_mesh<3>(path).mesh == mesh);
+    if (extension == ".su2") {
+      CHECK(refusal([&] { io::write_mixed_mesh(path, mesh, heights); }).find("carry no fields") !=
+            std::string::npos);
+    } else {
+      io::write_mixed_mesh(path, mesh, heights);
+      CHECK(io::read_mixed_mesh<3>(path).point_fields == heights);
+    }
+  }
   CHECK(refusal([&] { io::write_mixed_mesh(folder.path / "house.stl", mesh); }).find(".su2") !=
         std::string::npos);
-  CHECK(io::mixed_mesh_extensions().front() == ".su2");
 }
