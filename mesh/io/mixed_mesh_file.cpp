@@ -3,20 +3,23 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/formats/gmsh.hpp"
 #include "leonhard/mesh/io/formats/su2.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::io {
 
 const std::vector<std::string>& mixed_mesh_extensions() {
-  static const std::vector<std::string> known{".su2", ".vtu"};
+  static const std::vector<std::string> known{".su2", ".vtu", ".msh"};
   return known;
 }
 
 template <int Dim>
 MixedMeshFile<Dim> read_mixed_mesh(const std::filesystem::path& path) {
   const std::string extension = known_extension(path, mixed_mesh_extensions(), "mesh of mixed cells");
-  return extension == ".su2" ? read_mixed_su2<Dim>(path) : read_mixed_vtu<Dim>(path);
+  if (extension == ".vtu") return read_mixed_vtu<Dim>(path);
+  if (extension == ".msh") return read_mixed_gmsh<Dim>(path);
+  return read_mixed_su2<Dim>(path);
 }
 
 template <int Dim>
@@ -26,8 +29,9 @@ void write_mixed_mesh(const std::filesystem::path& path, const MixedMesh<Dim>& m
   const std::string extension = known_extension(path, mixed_mesh_extensions(), "mesh of mixed cells");
   mesh::require_ids_in_range(mesh);
   if (extension == ".vtu") return write_vtu(path, mesh, point_fields, cell_fields);
+  if (extension == ".msh") return write_gmsh(path, mesh, {}, point_fields, cell_fields);
   if (!point_fields.empty() || !cell_fields.empty())
-    throw InputError(path.string(), extension + " files carry no fields", "write a .vtu file");
+    throw InputError(path.string(), extension + " files carry no fields", "write a .vtu or a .msh file");
   write_su2(path, mesh);
 }
 

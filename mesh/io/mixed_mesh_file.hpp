@@ -22,7 +22,7 @@ struct MixedMeshFile {
 
 namespace io {
 
-/// Read a mesh of mixed cells, format by extension: .su2, .vtu.
+/// Read a mesh of mixed cells, format by extension: .su2, .vtu, .msh (Gmsh's).
 ///
 /// throws  InputError naming file, line, ids and coordinates: file missing, empty or cut short, unknown extension, a mesh
 ///         of the other dimension, NaN, ids out of range, cells that are flat, tangled or turned over, that overlap (in the
@@ -30,10 +30,10 @@ namespace io {
 template <int Dim>
 [[nodiscard]] MixedMeshFile<Dim> read_mixed_mesh(const std::filesystem::path& path);
 
-/// Write a mesh of mixed cells, format by extension as in read_mixed_mesh. The target appears whole or not at all. The mesh
+/// Write a mesh of mixed cells, format by extension: .su2, .vtu, .msh. The target appears whole or not at all. The mesh
 /// must be valid (`mesh::validate`).
 ///
-/// fields  values at vertices and in cells, for .vtu only; read_mixed_mesh gives them back to the last bit
+/// fields  values at vertices and in cells, for .vtu and .msh only; read_mixed_mesh gives them back to the last bit
 /// throws  InputError for an unknown extension, a mesh or fields that the format cannot carry (see the format's header),
 ///         fields that do not fit the mesh; OutputError if the file cannot be written
 template <int Dim>
@@ -41,7 +41,7 @@ void write_mixed_mesh(const std::filesystem::path& path, const MixedMesh<Dim>& m
                       const std::vector<PointField>& point_fields = {},
                       const std::vector<CellField>& cell_fields = {});
 
-/// ".su2", ...: what read_mixed_mesh and write_mixed_mesh know.
+/// ".su2", ".vtu", ".msh": what read_mixed_mesh and write_mixed_mesh both know.
 [[nodiscard]] const std::vector<std::string>& mixed_mesh_extensions();
 
 }  // namespace io

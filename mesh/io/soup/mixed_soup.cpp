@@ -215,10 +215,8 @@ void mark_unlisted_facets(MixedMesh<Dim>& mesh, std::size_t listed, Marker other
                        std::to_string(otherwise));
 }
 
-}  // namespace
-
 template <int Dim>
-MixedMeshFile<Dim> assemble(MixedSoup<Dim> soup, FacetRule rule) {
+MixedMeshFile<Dim> checked_file(MixedSoup<Dim>& soup, FacetRule rule) {
   check_counts(soup);
   check_finite_points(soup);
   check_all_vertices(soup);
@@ -242,6 +240,19 @@ MixedMeshFile<Dim> assemble(MixedSoup<Dim> soup, FacetRule rule) {
       throw InputError(soup.source, "the mesh is tangled: " + *overlap,
                        "correct the coordinates or the cells there");
   return result;
+}
+
+}  // namespace
+
+template <int Dim>
+MixedMeshFile<Dim> assemble(MixedSoup<Dim> soup, FacetRule rule) {
+  try {
+    return checked_file(soup, rule);
+  } catch (const InputError& error) {
+    if (soup.note.empty()) throw;
+    throw InputError(error.where(), error.problem(),
+                     error.remedy() + (error.remedy().empty() ? "" : "; ") + soup.note);
+  }
 }
 
 template MixedMeshFile<2> assemble(MixedSoup<2>, FacetRule);

@@ -23,6 +23,7 @@ struct MixedSoup {
   std::vector<CellField> cell_fields;      ///< one row a cell
   std::vector<std::string> warnings;       ///< what the result's begin with
   std::string source;                      ///< names the file in errors
+  std::string note;                        ///< added to errors, e.g. that ids in them are numbered from 0
 };
 
 /// Make the mesh that a file states, or say why it is none.

@@ -2,9 +2,8 @@
 #include <type_traits>
 
 #include "leonhard/mesh/io/vtu.hpp"
-#include "tests/mesh/io/folder.hpp"
+#include "tests/mesh/io/mixed_samples.hpp"
 #include "tests/mesh/io/sample_tet_meshes.hpp"
-#include "tests/mesh/mixed_shelf.hpp"
 
 using namespace leonhard;
 using namespace leonhard::test;
@@ -13,31 +12,6 @@ namespace {
 
 using Plane = std::integral_constant<int, 2>;
 using Space = std::integral_constant<int, 3>;
-
-/// Everything that a mesh of mixed cells can carry: markers with names, inner facets, regions, vertex markers.
-template <int Dim>
-MixedMesh<Dim> with_everything(MixedMesh<Dim> mesh) {
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-    mesh.boundary[i].marker = static_cast<Marker>(i % 3) - 1;
-  for (const CellId cell : mesh.kinds.ids()) {
-    mesh.regions[cell] = 0.5 * static_cast<double>(cell.index() % 4);
-    for (std::size_t side = 0; side < mesh.shape(cell).facets.size(); ++side) {
-      const auto facet = mesh.facet_of(cell, side);
-      const bool is_boundary =
-          std::any_of(mesh.boundary.begin(), mesh.boundary.end(), [&](const auto& other) {
-            return std::is_permutation(facet.begin(), facet.end(), other.corners.begin(),
-                                       other.corners.end());
-          });
-      const bool is_first = facet[0] < facet[1];  // of the two cells at an edge of the plane
-      if (!is_boundary && (Dim == 2 ? is_first : cell.index() % 5 == 0 && side == 1))
-        mesh.inner_facets.push_back({facet, 40 + static_cast<Marker>(side)});
-    }
-  }
-  for (const VertexId v : mesh.points.ids()) mesh.vertex_markers[v] = static_cast<Marker>(v.index()) - 4;
-  mesh.marker_names = {{-1, "wall"}, {1, "far field"}, {99, "nowhere"}};
-  REQUIRE_FALSE(mesh::validate(mesh));
-  return mesh;
-}
 
 /// A pyramid on a cube as other programs write them, its walls marked by two of its nine faces.
 const std::string house =
@@ -61,7 +35,7 @@ MixedMeshFile<3> parse(const std::string& text) { return io::parse_mixed_vtu<3>(
 TEST_CASE_TEMPLATE("vtu_meshes_of_mixed_cells_come_back_with_all_that_they_carry", Dim, Plane, Space) {
   for (const auto& entry : mixed_shelf::all<Dim::value>()) {
     CAPTURE(entry.name);
-    const auto mesh = with_everything(mixed_shelf::shaken(entry.mesh, 6));
+    const auto mesh = with_everything(mixed_shelf::shaken(entry.mesh, 6), -1, 0.5);
     std::vector<double> heights, heats;
     for (const auto& p : mesh.points) heights.insert(heights.end(), {p.y, -p.x});
     for (const CellId cell : mesh.kinds.ids()) heats.push_back(0.1 * static_cast<double>(cell.index()));
