@@ -4,6 +4,7 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
+#include "leonhard/mesh/io/formats/plot3d.hpp"
 #include "leonhard/mesh/io/formats/su2.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
@@ -16,7 +17,11 @@ const std::vector<std::string>& mixed_mesh_extensions() {
 
 template <int Dim>
 MixedMeshFile<Dim> read_mixed_mesh(const std::filesystem::path& path) {
-  const std::string extension = known_extension(path, mixed_mesh_extensions(), "mesh of mixed cells");
+  std::vector<std::string> known = mixed_mesh_extensions();
+  if (Dim == 2) known.push_back(".p2dfmt");
+  const std::string extension = known_extension(path, known, "mesh of mixed cells");
+  if constexpr (Dim == 2)
+    if (extension == ".p2dfmt") return read_plot3d(path);
   if (extension == ".vtu") return read_mixed_vtu<Dim>(path);
   if (extension == ".msh") return read_mixed_gmsh<Dim>(path);
   return read_mixed_su2<Dim>(path);

@@ -22,7 +22,8 @@ struct MixedMeshFile {
 
 namespace io {
 
-/// Read a mesh of mixed cells, format by extension: .su2, .vtu, .msh (Gmsh's).
+/// Read a mesh of mixed cells, format by extension: .su2, .vtu, .msh (Gmsh's), in the plane .p2dfmt (PLOT3D's formatted grids,
+/// with a map .nmf beside it or without).
 ///
 /// throws  InputError naming file, line, ids and coordinates: file missing, empty or cut short, unknown extension, a mesh
 ///         of the other dimension, NaN, ids out of range, cells that are flat, tangled or turned over, that overlap (in the
