@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/check/mixed_invariants.hpp"
 #include "leonhard/mesh/mixed_topology.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "tests/mesh/mixed_shelf.hpp"
@@ -204,6 +205,27 @@ TEST_CASE("cells_of_space_that_do_not_conform_are_named") {
                  m.add_cell(CellKind::pyramid, mixed_shelf::typed({6, 9, 10, 7, 12}));
                }),
                "hexahedron 0 and pyramid 2 lie on the same side of face 6-7-10-9"));
+}
+
+TEST_CASE("every_triangle_within_a_face_and_every_other_order_of_it_does_not_conform") {
+  const MixedMesh<3> cube = mixed_shelf::single(CellKind::hexahedron);
+  const auto problem_beside = [&](CellKind kind, const mixed_shelf::Corners& corners) {
+    MixedMesh<3> mesh = cube;
+    for (int i = 0; i < 2; ++i) mesh.points.push_back({0.5, 0.5, 2.0 + i});
+    mesh.add_cell(kind, mixed_shelf::typed(corners));
+    return mesh::unconforming_face(mesh, mesh::MixedSides<3>(mesh)).value_or("");
+  };
+  for (const mixed_shelf::Corners& half : {mixed_shelf::Corners{4, 5, 6}, {5, 6, 7}, {6, 7, 4}, {7, 4, 5}}) {
+    mixed_shelf::Corners tet = half;
+    tet.push_back(8);
+    CHECK(problem_beside(CellKind::tetrahedron, tet).find(" of tetrahedron 1, which has three of its") !=
+          std::string::npos);
+  }
+  for (const mixed_shelf::Corners& other : {mixed_shelf::Corners{4, 6, 5, 7, 8}, {4, 5, 7, 6, 8}})
+    CHECK(problem_beside(CellKind::pyramid, other)
+              .find(" of pyramid 1, which has its vertices in another order") != std::string::npos);
+  CHECK(problem_beside(CellKind::pyramid, {4, 5, 6, 7, 8}).empty());
+  CHECK(problem_beside(CellKind::tetrahedron, {4, 5, 9, 8}).empty());
 }
 
 TEST_CASE("broken_meshes_of_the_plane_are_named") {
