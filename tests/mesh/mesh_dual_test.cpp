@@ -8,6 +8,7 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/median_dual.hpp"
+#include "leonhard/mesh/permute.hpp"
 #include "tests/mesh/mixed_shelf.hpp"
 #include "tests/mesh/shelves.hpp"
 
@@ -223,6 +224,24 @@ TEST_CASE("dual_does_not_depend_on_where_a_cell_begins") {
   for (const EdgeId e : before.face.ids()) CHECK(norm(after.face[e] - before.face[e]) < 1e-15);
   for (const VertexId v : before.volume.ids())
     CHECK(after.volume[v] == Approx(before.volume[v]).epsilon(1e-14));
+}
+
+TEST_CASE_TEMPLATE("dual_renumbered_is_that_of_the_renumbered_mesh", Dim, Plane, Space) {
+  for (const auto& entry : mixed_shelf::all<Dim::value>()) {
+    CAPTURE(entry.name);
+    auto mesh = mixed_shelf::shaken(entry.mesh, 8);
+    const auto before = mesh::build_dual(mesh);
+    const auto new_of_old = shelves::random_permutation(mesh.vertex_count(), 9);
+    const auto points = mesh.points;
+    for (const VertexId v : points.ids()) mesh.points[new_of_old[v]] = points[v];
+    for (VertexId& v : mesh.corners.links()) v = new_of_old[v];
+    for (auto& facet : mesh.boundary)
+      for (std::size_t i = 0; i < facet.corners.size(); ++i) facet.corners[i] = new_of_old[facet.corners[i]];
+    const auto renumbered = mesh::renumber_vertices(before, new_of_old);
+    // Parts are added up cell by cell in both, so that not a bit differs.
+    CHECK(renumbered == mesh::build_dual(mesh));
+    CHECK_THROWS_AS((void)mesh::renumber_vertices(before, PerId<VertexId, VertexId>(1)), InputError);
+  }
 }
 
 TEST_CASE("dual_of_a_broken_mesh_is_refused") {
