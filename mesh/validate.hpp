@@ -77,11 +77,6 @@ template <int Dim>
 /// Cost O(triangles + boundary log boundary).
 [[nodiscard]] std::optional<std::string> validate_embedding(const TriangleMesh& mesh);
 
-/// The same of triangles and quadrilaterals: of the triangles that the latter are cut into by their diagonals from the
-/// first corner to the third, after whose numbers the words name them. Exact, since quadrilaterals that pass `validate` are
-/// strictly convex.
-[[nodiscard]] std::optional<std::string> validate_embedding(const MixedMesh<2>& mesh);
-
 /// Whether tetrahedra overlap although each one is positive: the words for the first place found, none if the mesh lies
 /// properly in space.
 ///
@@ -99,6 +94,12 @@ template <int Dim>
 ///
 /// Cost O(tetrahedra + boundary log boundary) where boundary faces are about as large as their distances.
 [[nodiscard]] std::optional<std::string> validate_embedding(const TetMesh& mesh);
+
+/// The same of mixed cells: of the triangles or tetrahedra that split_cells cuts them into, after whose numbers the words name
+/// them. Exact in the plane, since quadrilaterals that pass `validate` are strictly convex. In space faces of four vertices are
+/// taken as two triangles each; words "nothing is proved" name a cell that cannot be cut.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> validate_embedding(const MixedMesh<Dim>& mesh);
 
 /// Whether the tetrahedra fill the convex hull of the points, each place once: the words for the first thing that speaks
 /// against it, none if they do.

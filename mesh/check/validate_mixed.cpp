@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/check/mixed_invariants.hpp"
-#include "leonhard/mesh/topology.hpp"
+#include "leonhard/mesh/split_cells.hpp"
 #include "leonhard/mesh/validate.hpp"
 
 namespace leonhard::mesh {
@@ -23,26 +23,22 @@ std::optional<std::string> validate(const MixedMesh<Dim>& mesh) {
   return broken_inner_facet(mesh, sides);
 }
 
-std::optional<std::string> validate_embedding(const MixedMesh<2>& mesh) {
-  TriangleMesh triangles;
-  triangles.points = mesh.points;
-  for (const CellId cell : mesh.kinds.ids()) {
-    const auto corners = mesh.corners_of(cell);
-    for (std::size_t i = 2; i < corners.size(); ++i)
-      triangles.corners.push_back({corners[0], corners[i - 1], corners[i]});
+template <int Dim>
+std::optional<std::string> validate_embedding(const MixedMesh<Dim>& mesh) {
+  try {
+    const SplitMesh<Dim> split = split_cells(mesh);
+    auto problem = validate_embedding(split.mesh);
+    if (problem && split.mesh.cell_count() != mesh.cell_count())
+      *problem += std::string(" (") + Simplex<Dim>::cells + " are numbered after cells were cut into them)";
+    return problem;
+  } catch (const InputError& error) {
+    return "nothing is proved: " + error.problem();
   }
-  for (const auto& [corners, marker] : mesh.boundary)
-    triangles.boundary.push_back({corners[0], corners[1], marker});
-  triangles.vertex_markers = mesh.vertex_markers;
-  triangles.regions.resize(triangles.cell_count(), 0.0);
-  build_neighbours(triangles);
-  auto problem = validate_embedding(triangles);
-  if (problem && triangles.cell_count() != mesh.cell_count())
-    *problem += " (triangles are numbered after quadrilaterals were cut in two)";
-  return problem;
 }
 
 template std::optional<std::string> validate(const MixedMesh<2>&);
 template std::optional<std::string> validate(const MixedMesh<3>&);
+template std::optional<std::string> validate_embedding(const MixedMesh<2>&);
+template std::optional<std::string> validate_embedding(const MixedMesh<3>&);
 
 }  // namespace leonhard::mesh

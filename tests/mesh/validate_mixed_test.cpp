@@ -272,7 +272,24 @@ TEST_CASE("cells_of_the_plane_that_overlap_are_found_where_quadrilaterals_are_am
   }
   REQUIRE(!mesh::validate(mesh));
   const std::string problem = mesh::validate_embedding(mesh).value_or("");
-  CHECK(problem.find("numbered after quadrilaterals were cut in two") != std::string::npos);
+  CHECK(problem.find("triangles are numbered after cells were cut into them") != std::string::npos);
+}
+
+TEST_CASE("cells_of_space_that_overlap_are_found") {
+  CHECK(!mesh::validate_embedding(mixed_shelf::mixture()));
+  // A row of cubes bent to a ring until its ends overlap.
+  MixedMesh<3> mesh = mixed_shelf::box(5, 1, 1, Filling::hexahedron);
+  for (Point3& p : mesh.points) {
+    const double angle = 1.5 * p.x, radius = 2 - p.y;
+    p = {radius * std::cos(angle), radius * std::sin(angle), p.z};
+  }
+  REQUIRE(!mesh::validate(mesh));
+  CHECK(mesh::validate_embedding(mesh).value_or("").find("tetrahedra are numbered after cells were cut") !=
+        std::string::npos);
+  MixedMesh<3> bent = mixed_shelf::single(CellKind::hexahedron);
+  bent.points[VertexId{6}] = {-0.1, -0.1, -0.1};
+  CHECK(mesh::validate_embedding(bent).value_or("").find("nothing is proved: hexahedron 0 (vertices 0, 1") ==
+        0);
 }
 
 TEST_CASE("a_mixed_mesh_is_made_of_listed_facets_in_either_direction") {

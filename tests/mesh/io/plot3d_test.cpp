@@ -160,26 +160,28 @@ TEST_CASE("plot3d_side_drawn_together_to_a_point_has_triangles") {
 }
 
 TEST_CASE("plot3d_bad_grids_are_refused") {
-  check_refused({{"empty", "", {"m.p2dfmt", "number of blocks"}},
-                 {"no number", "one\n", {"m.p2dfmt:1", "one"}},
-                 {"no blocks", "0\n", {"m.p2dfmt:1", "found 0"}},
-                 {"one point", "1\n1 4\n0 0 0 0 0 0 0 0\n", {"m.p2dfmt:2", "found 1 points"}},
-                 {"huge", "1\n2000000 2000000\n0 0\n", {"cannot hold a block of 2000000 by 2000000"}},
-                 {"cut short", strip.substr(0, strip.size() - 3), {"m.p2dfmt:2", "cannot hold", "cut short"}},
-                 {"a coordinate short",
-                  replaced(strip, "\n0 1", "\n0.000000 1").substr(0, strip.size() + 4),
-                  {"m.p2dfmt:5", "a coordinate"}},
-                 {"more", strip + "7\n", {"m.p2dfmt:6", "end of the file"}},
-                 {"third dimension", replaced(strip, "3 2", "3 2 1"), {"m.p2dfmt:2", "sizes of the blocks"}},
-                 {"NaN", replaced(strip, "0 1 2", "0 nan 2"), {"m.p2dfmt:3", "nan"}},
-                 {"no area",
-                  replaced(strip, "0 1 2 0 1 2", "0 0 2 0 0 2"),
-                  {"cell 1, 1 of block 1 at (0, 0)", "no area"}},
-                 {"flat",
-                  replaced(replaced(strip, "0 1 2 0 1 2", "0 1 2 0.5 1.5 2.5"), "1 1 1", "0 0 0"),
-                  {"quadrilateral 0", "area zero"}},
-                 {"folded", "1\n3 2\n0 1 0.5 0 1 0.5\n0 0 0\n1 1 1\n", {"quadrilateral"}}},
-                parse);
+  check_refused(
+      {{"empty", "", {"m.p2dfmt", "number of blocks"}},
+       {"no number", "one\n", {"m.p2dfmt:1", "one"}},
+       {"no blocks", "0\n", {"m.p2dfmt:1", "found 0"}},
+       {"one point", "1\n1 4\n0 0 0 0 0 0 0 0\n", {"m.p2dfmt:2", "found 1 points"}},
+       {"beyond count", "4611686018427387904 4\n0 0\n", {"m.p2dfmt:1", "found 4611686018427387904 points"}},
+       {"huge", "1\n2000000 2000000\n0 0\n", {"cannot hold a block of 2000000 by 2000000"}},
+       {"cut short", strip.substr(0, strip.size() - 3), {"m.p2dfmt:2", "cannot hold", "cut short"}},
+       {"a coordinate short",
+        replaced(strip, "\n0 1", "\n0.000000 1").substr(0, strip.size() + 4),
+        {"m.p2dfmt:5", "a coordinate"}},
+       {"more", strip + "7\n", {"m.p2dfmt:6", "end of the file"}},
+       {"third dimension", replaced(strip, "3 2", "3 2 1"), {"m.p2dfmt:2", "sizes of the blocks"}},
+       {"NaN", replaced(strip, "0 1 2", "0 nan 2"), {"m.p2dfmt:3", "nan"}},
+       {"no area",
+        replaced(strip, "0 1 2 0 1 2", "0 0 2 0 0 2"),
+        {"cell 1, 1 of block 1 at (0, 0)", "no area"}},
+       {"flat",
+        replaced(replaced(strip, "0 1 2 0 1 2", "0 1 2 0.5 1.5 2.5"), "1 1 1", "0 0 0"),
+        {"quadrilateral 0", "area zero"}},
+       {"folded", "1\n3 2\n0 1 0.5 0 1 0.5\n0 0 0\n1 1 1\n", {"quadrilateral"}}},
+      parse);
 }
 
 TEST_CASE("plot3d_bad_maps_are_refused_with_line") {
