@@ -59,12 +59,15 @@ struct Plot3dGrid {
 
 // ---- the file ----
 
-std::size_t read_point_count(TextScanner& scan) {
-  const std::int64_t count = scan.integer("the number of points in a direction");
+std::size_t checked_point_count(TextScanner& scan, std::int64_t count) {
   constexpr std::int64_t most = std::int64_t{1} << 31;
   if (count < 2 || count >= most)
     scan.fail("found " + std::to_string(count) + " points in a direction, where a grid has two or more");
   return static_cast<std::size_t>(count);
+}
+
+std::size_t read_point_count(TextScanner& scan) {
+  return checked_point_count(scan, scan.integer("the number of points in a direction"));
 }
 
 /// The number of blocks and their sizes; a single block may come without its number.
@@ -72,9 +75,8 @@ std::vector<BlockSize> read_block_sizes(TextScanner& scan) {
   scan.need_line("the number of blocks");
   const std::int64_t first = scan.integer("the number of blocks");
   if (!scan.line_done()) {
-    if (first < 2)
-      scan.fail("found " + std::to_string(first) + " points in a direction, where a grid has two or more");
-    return {{static_cast<std::size_t>(first), read_point_count(scan)}};
+    const std::size_t i = checked_point_count(scan, first);
+    return {{i, read_point_count(scan)}};
   }
   if (first < 1 || static_cast<std::uint64_t>(first) > scan.bytes_left() / 4)
     scan.fail("found " + std::to_string(first) + " where the number of blocks was expected");
