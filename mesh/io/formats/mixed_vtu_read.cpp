@@ -42,9 +42,9 @@ void read_mixed_cells(const VtuGrid& grid, MixedSoup<Dim>& soup) {
     const std::int64_t type = cells.types[c];
     const auto kind = kind_of_vtk_type(type);
     if (kind && shape_of(*kind).dimension == Dim) {
-      std::vector<VertexId> corners = vertices_of_cell(grid, cells, c, shape_of(*kind).corner_count);
-      if (kind == CellKind::prism) std::swap(corners[1], corners[2]), std::swap(corners[4], corners[5]);
-      const CellId cell = soup.mesh.add_cell(*kind, corners);
+      // Prisms stand on either base; assemble turns those over that have it outwards.
+      const CellId cell =
+          soup.mesh.add_cell(*kind, vertices_of_cell(grid, cells, c, shape_of(*kind).corner_count));
       if (!regions.empty()) soup.mesh.regions[cell] = regions[c];
     } else if (const std::size_t count = facet_corners_of_type<Dim>(type); count != 0) {
       soup.mesh.boundary.push_back(
