@@ -52,6 +52,7 @@ using EdgeId = Id<struct EdgeTag>;
 using TriangleId = Id<struct TriangleTag>;
 using FaceId = Id<struct FaceTag>;  ///< a triangle between tetrahedra
 using TetId = Id<struct TetTag>;
+using CellId = Id<struct CellTag>;  ///< a cell of any kind, of a MixedMesh
 
 /// An id or none ("no neighbour behind this edge"), in the space of an id. Never -1 in disguise: asking for
 /// the id of none is a bug that assertions catch.

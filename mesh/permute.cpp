@@ -9,6 +9,7 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
+#include "leonhard/mesh/structures/edges_of_pairs.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -149,9 +150,32 @@ SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh, const PerId<Ver
   return renumber(mesh, new_of_old, order).mesh;
 }
 
+template <int Dim>
+MeshDual<Dim> renumber_vertices(const MeshDual<Dim>& dual, const PerId<VertexId, VertexId>& new_of_old) {
+  check_permutation(dual.vertex_count(), new_of_old);
+  MeshDual<Dim> result;
+  result.points = renumbered(dual.points, new_of_old);
+  result.volume = renumbered(dual.volume, new_of_old);
+  result.boundary = dual.boundary;
+  result.marker_names = dual.marker_names;
+  for (DualFacet<Dim>& facet : result.boundary)
+    for (std::size_t i = 0; i < facet.corners.size(); ++i) facet.corners[i] = new_of_old[facet.corners[i]];
+  result.edges = edges_of(dual.vertex_count(), [&](auto visit) {
+    for (const auto& ends : dual.edges.ends) visit(new_of_old[ends[0]], new_of_old[ends[1]]);
+  });
+  result.face.resize(dual.edge_count());
+  for (const EdgeId e : dual.edges.ends.ids()) {
+    const VertexId a = new_of_old[dual.edges.ends[e][0]], b = new_of_old[dual.edges.ends[e][1]];
+    result.face[*result.edges.find(a, b)] = a < b ? dual.face[e] : -dual.face[e];
+  }
+  return result;
+}
+
 template Renumbered<2> renumber(const SimplexMesh<2>&, const PerId<VertexId, VertexId>&, CellOrder);
 template Renumbered<3> renumber(const SimplexMesh<3>&, const PerId<VertexId, VertexId>&, CellOrder);
 template TriangleMesh renumber_vertices(const SimplexMesh<2>&, const PerId<VertexId, VertexId>&, CellOrder);
 template TetMesh renumber_vertices(const SimplexMesh<3>&, const PerId<VertexId, VertexId>&, CellOrder);
+template MeshDual<2> renumber_vertices(const MeshDual<2>&, const PerId<VertexId, VertexId>&);
+template MeshDual<3> renumber_vertices(const MeshDual<3>&, const PerId<VertexId, VertexId>&);
 
 }  // namespace leonhard::mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "leonhard/mesh/mesh_dual.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -38,5 +39,14 @@ template <int Dim>
 [[nodiscard]] SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh,
                                                  const PerId<VertexId, VertexId>& new_of_old,
                                                  CellOrder order = CellOrder::by_smallest_vertex);
+
+/// The same dual with other vertex numbers: edges are sorted anew, and a face vector whose edge's ends change places is
+/// turned; boundary facets keep their order, and each the order of its corners. No value changes but for such signs.
+///
+/// throws  InputError if new_of_old is not a permutation of the dual's vertices
+/// Cost O(vertices + edges log degree).
+template <int Dim>
+[[nodiscard]] MeshDual<Dim> renumber_vertices(const MeshDual<Dim>& dual,
+                                              const PerId<VertexId, VertexId>& new_of_old);
 
 }  // namespace leonhard::mesh

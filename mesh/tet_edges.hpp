@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <vector>
 
+#include "leonhard/mesh/edge_list.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 
 namespace leonhard {
 
 struct FaceStructure;
 
-/// The edges of a tetrahedral mesh, sorted by (ends[0], ends[1]), so that their numbers depend on the vertices' numbers
-/// alone.
-struct TetEdges {
-  PerId<EdgeId, std::array<VertexId, 2>> ends;  ///< ends[e][0] < ends[e][1]
-  std::vector<IdRaw> first_edge;  ///< edges with ends[0] == v are first_edge[v] .. first_edge[v + 1] - 1
-
-  [[nodiscard]] std::size_t edge_count() const { return ends.size(); }
-
-  /// The edge between two vertices, given in either order; none if there is no such edge. Cost O(log degree).
-  [[nodiscard]] MaybeId<EdgeId> find(VertexId a, VertexId b) const;
-};
+/// The edges of a tetrahedral mesh.
+using TetEdges = EdgeList;
 
 namespace mesh {
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "leonhard/mesh/mixed_mesh.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -23,6 +24,25 @@ namespace leonhard::mesh {
 /// Cost O(vertices + cells + boundary log boundary).
 template <int Dim>
 [[nodiscard]] std::optional<std::string> validate(const SimplexMesh<Dim>& mesh);
+
+/// The same of a mesh of mixed cells. In this order:
+/// - corners and regions have one entry a cell, vertex_markers one a vertex
+/// - kinds are those of this dimension, each row of corners as long as its kind asks
+/// - corners of cells and marked facets are vertices; points are finite; no cell and no marked facet has a vertex twice
+/// - every vertex has a cell
+/// - every cell is positive. In the plane: at each corner it turns counter-clockwise by exact orient2d, so that a
+///   quadrilateral is strictly convex. In space: at each corner of three edges the tetrahedron of the corner and the ends
+///   of the edges, in the cell's own order, is positive by exact orient3d: the corner Jacobians of Knupp (SIAM J. Sci.
+///   Comput. 23, 2001), at all corners but a pyramid's apex. For a cell of flat faces this says that it is convex at each of
+///   them; where faces of four vertices bend, it is needed for the cell to be an image of the unit cell, not enough
+/// - no facet has three cells, or two on the same side
+/// - in space no face of four vertices meets a face of three of them, or of all four in another order (non-conforming)
+/// - boundary has the facets with one cell, each once: the mesh to the left of an edge, the normal of a face outwards
+/// - inner_facets lie between two cells
+///
+/// Cost O(vertices + cells log degree).
+template <int Dim>
+[[nodiscard]] std::optional<std::string> validate(const MixedMesh<Dim>& mesh);
 
 /// The first edge (of triangles) or face (of tetrahedra) that is not locally Delaunay, in words: the opposite corner of
 /// one of its cells lies strictly inside the circumcircle or circumsphere of the other, by exact incircle or insphere.
@@ -74,6 +94,12 @@ template <int Dim>
 ///
 /// Cost O(tetrahedra + boundary log boundary) where boundary faces are about as large as their distances.
 [[nodiscard]] std::optional<std::string> validate_embedding(const TetMesh& mesh);
+
+/// The same of mixed cells: of the triangles or tetrahedra that split_cells cuts them into, after whose numbers the words name
+/// them. Exact in the plane, since quadrilaterals that pass `validate` are strictly convex. In space faces of four vertices are
+/// taken as two triangles each; words "nothing is proved" name a cell that cannot be cut.
+template <int Dim>
+[[nodiscard]] std::optional<std::string> validate_embedding(const MixedMesh<Dim>& mesh);
 
 /// Whether the tetrahedra fill the convex hull of the points, each place once: the words for the first thing that speaks
 /// against it, none if they do.

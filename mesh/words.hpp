@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "leonhard/mesh/mixed_mesh.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -34,5 +35,13 @@ template <int Dim>
 /// "tetrahedron 4 (vertices 1, 2, 3, 5 at (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))".
 template <int Dim>
 [[nodiscard]] std::string words(const SimplexMesh<Dim>& mesh, typename SimplexMesh<Dim>::CellId cell);
+
+/// The same of mixed meshes: "edge 3-8 from (0, 0) to (1, 0)", "face 3-8-9-4 at ...", "hexahedron 4 (vertices ... at ...)".
+template <int Dim>
+[[nodiscard]] std::string words(const MixedMesh<Dim>& mesh, VertexId v);
+template <int Dim>
+[[nodiscard]] std::string words(const MixedMesh<Dim>& mesh, const MixedFacet<Dim>& facet);
+template <int Dim>
+[[nodiscard]] std::string words(const MixedMesh<Dim>& mesh, CellId cell);
 
 }  // namespace leonhard::mesh

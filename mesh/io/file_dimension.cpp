@@ -2,6 +2,7 @@
 #include "leonhard/mesh/io/file_dimension.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string>
 #include <vector>
@@ -74,8 +75,10 @@ int msh_dimension(const std::filesystem::path& path) {
   const std::size_t first = head.find_first_not_of(" \t\r\n");
   if (first == std::string::npos || head[first] != '$')
     return keyword_value(head, source, "NDIMS", {.comment = '#', .extra_blank = ';'});
-  const GmshData data = parse_gmsh_data(read_whole_file(path), source);
-  return !data.tetrahedra.empty() || !is_flat(data.points) ? 3 : 2;
+  const GmshData data = parse_gmsh_data(read_whole_file(path), source, GmshKinds::all);
+  const auto is_empty = [](const std::vector<GmshCell>* cells) { return cells->empty(); };
+  const std::array solids{&data.tetrahedra, &data.hexahedra, &data.prisms, &data.pyramids};
+  return !std::all_of(solids.begin(), solids.end(), is_empty) || !is_flat(data.points) ? 3 : 2;
 }
 
 /// NDIME= may stand anywhere, but mostly comes first.

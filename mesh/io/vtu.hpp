@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "leonhard/mesh/io/file_contents.hpp"
+#include "leonhard/mesh/io/mixed_mesh_file.hpp"
 
 namespace leonhard::io {
 
@@ -70,5 +71,31 @@ void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
 /// throws InputError: as read_vtu; other cells (hexahedra, prisms and pyramids by name), and as read_tet_mesh
 [[nodiscard]] TetMeshFile read_tet_vtu(const std::filesystem::path& path);
 [[nodiscard]] TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source);
+
+/// The same for meshes of mixed cells: types 5 (triangle) and 9 (quadrilateral) in the plane, 10 (tetrahedron), 12
+/// (hexahedron), 13 (wedge, a prism) and 14 (pyramid) in space. Field data as for triangles and tetrahedra; where faces of
+/// four vertices are among those of `leonhard_boundary` or `leonhard_interfaces`, rows have five numbers, and the fourth
+/// vertex of a triangle is -1. A prism's base is directed outwards, as VTK's text has it. throws as write_vtu of triangles
+void write_vtu(const std::filesystem::path& path, const MixedMesh<2>& mesh,
+               const std::vector<PointField>& point_fields = {},
+               const std::vector<CellField>& cell_fields = {});
+void write_vtu(const std::filesystem::path& path, const MixedMesh<3>& mesh,
+               const std::vector<PointField>& point_fields = {},
+               const std::vector<CellField>& cell_fields = {});
+[[nodiscard]] std::string format_vtu(const MixedMesh<2>& mesh,
+                                     const std::vector<PointField>& point_fields = {},
+                                     const std::vector<CellField>& cell_fields = {});
+[[nodiscard]] std::string format_vtu(const MixedMesh<3>& mesh,
+                                     const std::vector<PointField>& point_fields = {},
+                                     const std::vector<CellField>& cell_fields = {});
+
+/// Read a .vtu of one piece of mixed cells, quadrilaterals left whole; in space triangles and quadrilaterals are marked
+/// faces. Prisms are taken with the base either way, if all are alike. Files by other programs: markers as for tetrahedra.
+///
+/// throws InputError: as read_vtu; other cells, and as read_mixed_mesh
+template <int Dim>
+[[nodiscard]] MixedMeshFile<Dim> read_mixed_vtu(const std::filesystem::path& path);
+template <int Dim>
+[[nodiscard]] MixedMeshFile<Dim> parse_mixed_vtu(std::string_view bytes, const std::string& source);
 
 }  // namespace leonhard::io

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "leonhard/mesh/io/formats/gmsh_write.hpp"
 #include "leonhard/mesh/io/formats/whole_regions.hpp"
 #include "leonhard/mesh/io/soup/mesh_soup.hpp"
+#include "leonhard/mesh/io/soup/mixed_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/words.hpp"
 
@@ -153,7 +155,8 @@ MeshSoup<Dim> soup_of(GmshData& data, const std::vector<std::size_t>& new_index,
   soup.marker_names = marker_names_of(data, Dim - 1);
   const auto add_cells = [&](const std::vector<GmshCell>& cells, std::uint32_t corners) {
     for (const GmshCell& cell : cells) {
-      soup.cells.push_back({cell.corners, corners, cell.line});
+      soup.cells.push_back({{}, corners, cell.line});
+      std::copy_n(cell.corners.begin(), corners, soup.cells.back().corners.begin());
       soup.cell_regions.push_back(cell.group);
     }
   };
@@ -163,6 +166,69 @@ MeshSoup<Dim> soup_of(GmshData& data, const std::vector<std::size_t>& new_index,
     soup.facets.push_back({{}, facet.group, facet.line});
     std::copy_n(facet.corners.begin(), Dim, soup.facets.back().corners.begin());
   }
+  return soup;
+}
+
+/// Cells of several kinds, by their numbers in the file if they have different ones.
+struct KindedCells {
+  std::vector<GmshCell> cells;
+  std::vector<CellKind> kinds;
+
+  explicit KindedCells(std::initializer_list<std::pair<CellKind, const std::vector<GmshCell>*>> lists) {
+    std::vector<std::pair<CellKind, const GmshCell*>> all;
+    for (const auto& [kind, list] : lists)
+      for (const GmshCell& cell : *list) all.emplace_back(kind, &cell);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.second->tag < b.second->tag; });
+    for (const auto& [kind, cell] : all) kinds.push_back(kind), cells.push_back(*cell);
+  }
+};
+
+template <int Dim>
+KindedCells cells_of_dimension(const GmshData& data) {
+  if constexpr (Dim == 2) {
+    return KindedCells(
+        {{CellKind::triangle, &data.triangles}, {CellKind::quadrilateral, &data.quadrilaterals}});
+  } else {
+    return KindedCells({{CellKind::tetrahedron, &data.tetrahedra},
+                        {CellKind::hexahedron, &data.hexahedra},
+                        {CellKind::prism, &data.prisms},
+                        {CellKind::pyramid, &data.pyramids}});
+  }
+}
+
+/// data.points is left to the caller.
+template <int Dim>
+MixedSoup<Dim> mixed_soup_of(GmshData& data, const std::vector<std::size_t>& new_index,
+                             const std::string& source) {
+  MixedSoup<Dim> soup;
+  const KindedCells cells = cells_of_dimension<Dim>(data);
+  take_fields(data, new_index, {&cells.cells}, soup);
+  soup.source = source;
+  soup.note = note;
+  soup.mesh.marker_names = marker_names_of(data, Dim - 1);
+  for (std::size_t c = 0; c < cells.cells.size(); ++c) {
+    const GmshCell& cell = cells.cells[c];
+    const CellId id = soup.mesh.add_cell(
+        cells.kinds[c], std::span(cell.corners).first(shape_of(cells.kinds[c]).corner_count));
+    soup.mesh.regions[id] = cell.group;
+    soup.cell_lines.push_back(cell.line);
+  }
+  const auto add_facet = [&](const GmshCell& facet, std::size_t corners) {
+    soup.mesh.boundary.push_back(
+        {MixedFacet<Dim>(std::span<const VertexId>(facet.corners).first(corners)), facet.group});
+    soup.facet_lines.push_back(facet.line);
+  };
+  if constexpr (Dim == 2) {
+    for (const GmshCell& line : data.lines) add_facet(line, 2);
+  } else {
+    const KindedCells faces = cells_of_dimension<2>(data);
+    for (std::size_t f = 0; f < faces.cells.size(); ++f)
+      add_facet(faces.cells[f], shape_of(faces.kinds[f]).corner_count);
+  }
+  const bool has_lines =
+      std::any_of(soup.cell_lines.begin(), soup.cell_lines.end(), [](auto n) { return n != 0; });
+  if (!has_lines) soup.cell_lines.clear(), soup.facet_lines.clear();
   return soup;
 }
 
@@ -219,8 +285,8 @@ void add_fields(GmshData& data, const std::vector<Field>& fields, std::size_t co
   }
 }
 
-template <std::size_t count>
-GmshCell cell_of(const std::array<VertexId, count>& corners, Marker group) {
+template <class Corners>
+GmshCell cell_of(const Corners& corners, Marker group) {
   GmshCell cell{};
   cell.group = group;
   std::copy(corners.begin(), corners.end(), cell.corners.begin());
@@ -243,6 +309,48 @@ GmshData data_of(const SimplexMesh<Dim>& mesh) {
   for (const auto t : mesh.corners.ids())
     (Dim == 2 ? data.triangles : data.tetrahedra)
         .push_back(cell_of(mesh.corners[t], regions.empty() ? 0 : regions[t.index()]));
+  return data;
+}
+
+std::vector<GmshCell>& list_of_kind(GmshData& data, CellKind kind) {
+  switch (kind) {
+    case CellKind::triangle:
+      return data.triangles;
+    case CellKind::quadrilateral:
+      return data.quadrilaterals;
+    case CellKind::tetrahedron:
+      return data.tetrahedra;
+    case CellKind::pyramid:
+      return data.pyramids;
+    case CellKind::prism:
+      return data.prisms;
+    case CellKind::hexahedron:
+      break;
+  }
+  return data.hexahedra;
+}
+
+/// Numbers tell the mesh's order of cells of different kinds.
+template <int Dim>
+GmshData data_of(const MixedMesh<Dim>& mesh) {
+  mesh::require_ids_in_range(mesh);
+  GmshData data;
+  for (const auto& p : mesh.points) data.points.push_back(node_of(p));
+  add_names(data, mesh.marker_names, Dim - 1);
+  std::uint64_t number = 0;
+  const auto add = [&](std::vector<GmshCell>& list, const auto& corners, Marker group) {
+    list.push_back(cell_of(corners, group));
+    list.back().tag = ++number;
+  };
+  for (const auto* facets : {&mesh.boundary, &mesh.inner_facets})
+    for (const auto& [corners, marker] : *facets)
+      add(Dim == 2              ? data.lines
+          : corners.size() == 3 ? data.triangles
+                                : data.quadrilaterals,
+          corners, checked_group(marker));
+  const std::vector<Marker> regions = whole_regions(mesh.regions, 0);
+  for (const CellId cell : mesh.kinds.ids())
+    add(list_of_kind(data, mesh.kinds[cell]), mesh.corners_of(cell), regions[cell.index()]);
   return data;
 }
 
@@ -270,6 +378,41 @@ MeshFile parse_gmsh(std::string_view bytes, const std::string& source) {
   return with_warnings(assemble(std::move(soup), FacetRule::fill_in_the_boundary), data.warnings);
 }
 
+template <int Dim>
+MixedMeshFile<Dim> parse_mixed_gmsh(std::string_view bytes, const std::string& source) {
+  GmshData data = parse_gmsh_data(bytes, source, GmshKinds::all);
+  Lists lists{{&data.triangles, 3}, {&data.quadrilaterals, 4}};
+  const Lists solids{{&data.tetrahedra, 4}, {&data.hexahedra, 8}, {&data.prisms, 6}, {&data.pyramids, 5}};
+  if constexpr (Dim == 2) {
+    lists.push_back({&data.lines, 2});
+    for (const auto& list : solids)
+      if (!list.first->empty())
+        throw InputError(source, "the file has cells of space",
+                         "give a mesh of triangles and quadrilaterals");
+  } else {
+    lists.insert(lists.end(), solids.begin(), solids.end());
+  }
+  const auto new_index = drop_unused_nodes(data, lists);
+  if (Dim == 2) refuse_points_off_the_plane(data.points, source);
+  MixedSoup<Dim> soup = mixed_soup_of<Dim>(data, new_index, source);
+  if constexpr (Dim == 2) {
+    for (const Point3& p : data.points) soup.mesh.points.push_back({p.x, p.y});
+  } else {
+    soup.mesh.points = PerId<VertexId, Point3>(std::move(data.points));
+  }
+  return with_warnings(assemble(std::move(soup), FacetRule::fill_in_the_boundary), data.warnings);
+}
+
+template <int Dim>
+MixedMeshFile<Dim> read_mixed_gmsh(const std::filesystem::path& path) {
+  return parse_mixed_gmsh<Dim>(read_whole_file(path), path.string());
+}
+
+template MixedMeshFile<2> parse_mixed_gmsh<2>(std::string_view, const std::string&);
+template MixedMeshFile<3> parse_mixed_gmsh<3>(std::string_view, const std::string&);
+template MixedMeshFile<2> read_mixed_gmsh<2>(const std::filesystem::path&);
+template MixedMeshFile<3> read_mixed_gmsh<3>(const std::filesystem::path&);
+
 TetMeshFile read_tet_gmsh(const std::filesystem::path& path) {
   return parse_tet_gmsh(read_whole_file(path), path.string());
 }
@@ -279,15 +422,23 @@ MeshFile read_gmsh(const std::filesystem::path& path) {
 
 namespace {
 
+template <int Dim>
+std::size_t inner_facet_count(const SimplexMesh<Dim>& mesh) {
+  return mesh.inner_facets().size();
+}
+template <int Dim>
+std::size_t inner_facet_count(const MixedMesh<Dim>& mesh) {
+  return mesh.inner_facets.size();
+}
+
 /// Cells are numbered from 1, those of the boundary and inside it first.
 template <class Mesh>
 std::string format(const Mesh& mesh, const GmshForm& form, const std::vector<PointField>& point_fields,
                    const std::vector<CellField>& cell_fields) {
   GmshData data = data_of(mesh);
-  const std::size_t cells = mesh.corners.size(),
-                    all = data.lines.size() + data.triangles.size() + data.tetrahedra.size();
+  const std::size_t facets = mesh.boundary.size() + inner_facet_count(mesh);
   add_fields(data, point_fields, mesh.vertex_count(), 0);
-  add_fields(data, cell_fields, cells, all - cells + 1);
+  add_fields(data, cell_fields, mesh.cell_count(), facets + 1);
   return format_gmsh_data(data, form);
 }
 
@@ -309,6 +460,25 @@ void write_gmsh(const std::filesystem::path& path, const TetMesh& mesh, const Gm
   write_file_atomically(path, format(mesh, form, point_fields, cell_fields));
 }
 void write_gmsh(const std::filesystem::path& path, const TriangleMesh& mesh, const GmshForm& form,
+                const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
+  write_file_atomically(path, format(mesh, form, point_fields, cell_fields));
+}
+
+std::string format_gmsh(const MixedMesh<2>& mesh, const GmshForm& form,
+                        const std::vector<PointField>& point_fields,
+                        const std::vector<CellField>& cell_fields) {
+  return format(mesh, form, point_fields, cell_fields);
+}
+void write_gmsh(const std::filesystem::path& path, const MixedMesh<2>& mesh, const GmshForm& form,
+                const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
+  write_file_atomically(path, format(mesh, form, point_fields, cell_fields));
+}
+std::string format_gmsh(const MixedMesh<3>& mesh, const GmshForm& form,
+                        const std::vector<PointField>& point_fields,
+                        const std::vector<CellField>& cell_fields) {
+  return format(mesh, form, point_fields, cell_fields);
+}
+void write_gmsh(const std::filesystem::path& path, const MixedMesh<3>& mesh, const GmshForm& form,
                 const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
   write_file_atomically(path, format(mesh, form, point_fields, cell_fields));
 }

@@ -8,6 +8,7 @@
 
 #include "leonhard/mesh/io/file_contents.hpp"
 #include "leonhard/mesh/io/formats/gmsh_form.hpp"
+#include "leonhard/mesh/io/mixed_mesh_file.hpp"
 
 namespace leonhard::io {
 
@@ -50,6 +51,29 @@ void write_gmsh(const std::filesystem::path& path, const TriangleMesh& mesh, con
                                       const std::vector<PointField>& point_fields = {},
                                       const std::vector<CellField>& cell_fields = {});
 [[nodiscard]] std::string format_gmsh(const TriangleMesh& mesh, const GmshForm& form = {},
+                                      const std::vector<PointField>& point_fields = {},
+                                      const std::vector<CellField>& cell_fields = {});
+
+/// The same for meshes of mixed cells, quadrilaterals left whole: groups of lines (of the plane) or of triangles and
+/// quadrilaterals (of space) are the markers, those of cells the regions. Cells come in the order of their numbers.
+///
+/// throws InputError: as read_tet_gmsh; cells of higher order, and as read_mixed_mesh
+template <int Dim>
+[[nodiscard]] MixedMeshFile<Dim> read_mixed_gmsh(const std::filesystem::path& path);
+template <int Dim>
+[[nodiscard]] MixedMeshFile<Dim> parse_mixed_gmsh(std::string_view bytes, const std::string& source);
+
+/// throws as write_gmsh of simplices
+void write_gmsh(const std::filesystem::path& path, const MixedMesh<2>& mesh, const GmshForm& form = {},
+                const std::vector<PointField>& point_fields = {},
+                const std::vector<CellField>& cell_fields = {});
+[[nodiscard]] std::string format_gmsh(const MixedMesh<2>& mesh, const GmshForm& form = {},
+                                      const std::vector<PointField>& point_fields = {},
+                                      const std::vector<CellField>& cell_fields = {});
+void write_gmsh(const std::filesystem::path& path, const MixedMesh<3>& mesh, const GmshForm& form = {},
+                const std::vector<PointField>& point_fields = {},
+                const std::vector<CellField>& cell_fields = {});
+[[nodiscard]] std::string format_gmsh(const MixedMesh<3>& mesh, const GmshForm& form = {},
                                       const std::vector<PointField>& point_fields = {},
                                       const std::vector<CellField>& cell_fields = {});
 

@@ -29,9 +29,9 @@ constexpr std::array<ElementType, 19> element_types{{{1, 2, 1, "lines", true},
                                                      {2, 3, 2, "triangles", true},
                                                      {3, 4, 2, "quadrilaterals", true},
                                                      {4, 4, 3, "tetrahedra", true},
-                                                     {5, 8, 3, "hexahedra", false},
-                                                     {6, 6, 3, "prisms", false},
-                                                     {7, 5, 3, "pyramids", false},
+                                                     {5, 8, 3, "hexahedra", true},
+                                                     {6, 6, 3, "prisms", true},
+                                                     {7, 5, 3, "pyramids", true},
                                                      {8, 3, 1, "three-node lines", false},
                                                      {9, 6, 2, "six-node triangles", false},
                                                      {10, 9, 2, "nine-node quadrilaterals", false},
@@ -44,6 +44,9 @@ constexpr std::array<ElementType, 19> element_types{{{1, 2, 1, "lines", true},
                                                      {17, 20, 3, "20-node hexahedra", false},
                                                      {18, 15, 3, "15-node prisms", false},
                                                      {19, 13, 3, "13-node pyramids", false}}};
+
+constexpr std::int32_t tetrahedron_type = 4;
+constexpr std::size_t types_read = 7;  ///< the first ones
 
 constexpr std::uint64_t most_nodes = std::numeric_limits<IdRaw>::max() / 2;
 
@@ -85,8 +88,8 @@ class NodeTags {
 
 class GmshParser {
  public:
-  GmshParser(GmshNumbers& numbers, bool is_version_4, const std::string& source)
-      : numbers_(numbers), is_version_4_(is_version_4), source_(source) {}
+  GmshParser(GmshNumbers& numbers, bool is_version_4, GmshKinds kinds, const std::string& source)
+      : numbers_(numbers), is_version_4_(is_version_4), kinds_(kinds), source_(source) {}
 
   GmshData parse() {
     for (std::string line(numbers_.text_line()); !line.empty(); line = numbers_.text_line()) {
@@ -314,11 +317,14 @@ class GmshParser {
     const auto found = std::find_if(element_types.begin(), element_types.end(),
                                     [&](const ElementType& type) { return type.number == number; });
     const bool is_known = found != element_types.end();
-    if (!is_known || (!found->is_read && found->dimension > 1))
-      numbers_.fail(
-          "the file has " +
-              (is_known ? std::string(found->name) : "elements of type " + std::to_string(number)),
-          "only points, lines, triangles, quadrilaterals and tetrahedra of the first order can be read");
+    const bool is_taken =
+        is_known && found->is_read && (kinds_ == GmshKinds::all || number <= tetrahedron_type);
+    if (!is_known || (!is_taken && found->dimension > 1))
+      numbers_.fail("the file has " +
+                        (is_known ? std::string(found->name) : "elements of type " + std::to_string(number)),
+                    kinds_ == GmshKinds::all ? "only cells of the first order can be read"
+                                             : "only points, lines, triangles, quadrilaterals and tetrahedra "
+                                               "of the first order can be read");
     return *found;
   }
 
@@ -442,8 +448,9 @@ class GmshParser {
         std::none_of(cells_.begin(), cells_.end(), [&](const std::vector<CellOnEntity>& list) {
           return std::any_of(list.begin(), list.end(), in_a_group);
         });
-    const std::array<std::vector<GmshCell>*, 4> lists{&data_.lines, &data_.triangles, &data_.quadrilaterals,
-                                                      &data_.tetrahedra};
+    const std::array<std::vector<GmshCell>*, types_read> lists{
+        &data_.lines,     &data_.triangles, &data_.quadrilaterals, &data_.tetrahedra,
+        &data_.hexahedra, &data_.prisms,    &data_.pyramids};
     for (std::size_t i = 0; i < lists.size(); ++i) {
       lists[i]->reserve(cells_[i].size());
       for (CellOnEntity& c : cells_[i]) {
@@ -459,12 +466,13 @@ class GmshParser {
 
   GmshNumbers& numbers_;
   bool is_version_4_;
+  GmshKinds kinds_;
   const std::string& source_;
   GmshData data_;
   std::set<std::string> sections_;
   std::map<std::pair<int, std::int32_t>, Marker> group_of_entity_;
   NodeTags tags_;
-  std::array<std::vector<CellOnEntity>, 4> cells_;  ///< lines, triangles, quadrilaterals, tetrahedra
+  std::array<std::vector<CellOnEntity>, types_read> cells_;  ///< by type
 };
 
 /// What the section $MeshFormat says.
@@ -515,24 +523,25 @@ GmshFormat read_format(std::string_view bytes, const std::string& source) {
 }
 
 /// The scanner of a text stands before $EndMeshFormat here, and so does the one of binary data.
-GmshData parse_body(GmshNumbers& numbers, const GmshFormat& format, const std::string& source) {
+GmshData parse_body(GmshNumbers& numbers, const GmshFormat& format, GmshKinds kinds,
+                    const std::string& source) {
   const std::string_view end = numbers.text_line();
   if (end != "$EndMeshFormat") numbers.fail("found " + in_quotes(end) + " where $EndMeshFormat was expected");
-  return GmshParser(numbers, format.is_version_4, source).parse();
+  return GmshParser(numbers, format.is_version_4, kinds, source).parse();
 }
 
 }  // namespace
 
-GmshData parse_gmsh_data(std::string_view bytes, const std::string& source) {
+GmshData parse_gmsh_data(std::string_view bytes, const std::string& source, GmshKinds kinds) {
   const GmshFormat format = read_format(bytes, source);
   if (format.is_binary) {
     GmshBytes numbers(bytes, source, format.bytes, format.swapped);
-    return parse_body(numbers, format, source);
+    return parse_body(numbers, format, kinds, source);
   }
   GmshText numbers(bytes, source);
   numbers.text_line();  // $MeshFormat
   numbers.text_line();  // the line just read
-  return parse_body(numbers, format, source);
+  return parse_body(numbers, format, kinds, source);
 }
 
 }  // namespace leonhard::io

@@ -10,18 +10,20 @@
 #include <vector>
 
 #include "leonhard/kernel/point.hpp"
+#include "leonhard/mesh/cell_kind.hpp"
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/pslg.hpp"
 
 /// What a file of Gmsh states, before anything is checked. Not meant for callers of the room.
 namespace leonhard::io {
 
-/// A line, triangle, quadrilateral or tetrahedron. Nodes exist: the file's tags have become ids in the file's order.
+/// A line or a cell of some kind, its corners in the order of CellKind. Nodes exist: the file's tags have become ids in the
+/// file's order.
 struct GmshCell {
-  std::array<VertexId, 4> corners;
+  std::array<VertexId, most_cell_corners> corners;
   Marker group = 0;        ///< number of its physical group, 0 if it is in none
   std::uint32_t line = 0;  ///< of the file; 0 in a binary one
-  std::uint64_t tag = 0;   ///< its number in the file, by which data name it
+  std::uint64_t tag = 0;   ///< its number in the file, by which data name it; to write, 0: the next one
 };
 
 /// A section $NodeData or $ElementData.
@@ -36,11 +38,14 @@ struct GmshValues {
 
 struct GmshData {
   std::vector<Point3> points;
-  std::vector<GmshCell> lines, triangles, quadrilaterals, tetrahedra;
+  std::vector<GmshCell> lines, triangles, quadrilaterals, tetrahedra, hexahedra, prisms, pyramids;
   std::map<std::pair<int, Marker>, std::string> names;  ///< of physical groups, by dimension and number
   std::vector<GmshValues> values;                       ///< in the file's order
   std::vector<std::string> warnings;
 };
+
+/// Which cells a reader takes.
+enum class GmshKinds { up_to_tetrahedra, all };
 
 /// A file of format 2.2 or 4.1, text or binary of either byte order (https://gmsh.info/doc/texinfo/gmsh.html,
 /// "Gmsh file formats"). Elements of points and lines of higher order are left out, and sections of other data than
@@ -49,8 +54,9 @@ struct GmshData {
 /// Where no cell is in a physical group and there is no section $PhysicalNames, the numbers of the geometry's entities
 /// stand for the groups'; a warning tells it. The sign of a physical group, which tells a direction, is dropped.
 ///
-/// throws InputError with line or byte: no .msh file, another version, partitioned; hexahedra, prisms, pyramids and
-/// cells of higher order; nodes that are missing, repeated or not finite; a file cut short
-[[nodiscard]] GmshData parse_gmsh_data(std::string_view bytes, const std::string& source);
+/// throws InputError with line or byte: no .msh file, another version, partitioned; hexahedra, prisms and pyramids, if they are
+/// not taken, and cells of higher order; nodes that are missing, repeated or not finite; a file cut short
+[[nodiscard]] GmshData parse_gmsh_data(std::string_view bytes, const std::string& source,
+                                       GmshKinds kinds = GmshKinds::up_to_tetrahedra);
 
 }  // namespace leonhard::io

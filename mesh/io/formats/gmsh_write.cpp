@@ -64,21 +64,40 @@ struct CellList {
   }
 };
 
+/// Numbers of entities that no group of their dimension has.
+void number_ungrouped(std::vector<CellList>& lists) {
+  for (const int dimension : {1, 2, 3}) {
+    std::set<Marker> groups;
+    for (const CellList& list : lists)
+      if (list.dimension == dimension)
+        for (const GmshCell& cell : *list.cells) groups.insert(cell.group);
+    Marker ungrouped = 1;
+    while (groups.contains(ungrouped)) ++ungrouped;
+    for (CellList& list : lists)
+      if (list.dimension == dimension) list.ungrouped = ungrouped;
+  }
+}
+
 std::vector<CellList> lists_of(const GmshData& data) {
   std::vector<CellList> lists;
   const auto add = [&](const std::vector<GmshCell>& cells, std::int32_t type, int dimension,
                        std::size_t corners) {
-    if (cells.empty()) return;
-    CellList list{&cells, type, dimension, corners};
-    std::set<Marker> groups;
-    for (const GmshCell& cell : cells) groups.insert(cell.group);
-    while (groups.contains(list.ungrouped)) ++list.ungrouped;
-    lists.push_back(list);
+    if (!cells.empty()) lists.push_back({&cells, type, dimension, corners});
   };
   add(data.lines, 1, 1, 2);
   add(data.triangles, 2, 2, 3);
+  add(data.quadrilaterals, 3, 2, 4);
   add(data.tetrahedra, 4, 3, 4);
+  add(data.hexahedra, 5, 3, 8);
+  add(data.prisms, 6, 3, 6);
+  add(data.pyramids, 7, 3, 5);
+  number_ungrouped(lists);
   return lists;
+}
+
+/// The number of a cell: its own, or one more than that of the cell before.
+std::size_t number_of(const GmshCell& cell, std::size_t before) {
+  return cell.tag != 0 ? cell.tag : before + 1;
 }
 
 std::size_t cell_count(const std::vector<CellList>& lists) {
@@ -134,13 +153,14 @@ void write_nodes(GmshOutput& out, const GmshData& data) {
 void write_elements(GmshOutput& out, const std::vector<CellList>& lists) {
   constexpr std::int32_t tags = 2;  // group and entity
   out.text("$Elements\n" + std::to_string(cell_count(lists)) + "\n");
-  std::int32_t number = 0;
+  std::size_t number = 0;
   for (const CellList& list : lists) {
     if (out.is_binary())
       for (const std::int32_t entry : {list.type, static_cast<std::int32_t>(list.cells->size()), tags})
         out.integer(entry);
     for (const GmshCell& cell : *list.cells) {
-      out.integer(++number);
+      number = number_of(cell, number);
+      out.integer(static_cast<std::int32_t>(number));
       if (!out.is_binary())
         for (const std::int32_t entry : {list.type, tags}) out.integer(entry);
       out.integer(cell.group);
@@ -169,20 +189,19 @@ struct Entity {
   Box box;
 };
 
-std::map<Marker, Entity> entities_of(const CellList& list, const std::vector<Point3>& points) {
-  std::map<Marker, Entity> entities;
+void add_entities(const CellList& list, const std::vector<Point3>& points,
+                  std::map<Marker, Entity>& entities) {
   for (const GmshCell& cell : *list.cells)
     for (std::size_t k = 0; k < list.corner_count; ++k) {
       const Point3& p = points[cell.corners[k].index()];
       entities.try_emplace(list.entity_of(cell), Entity{cell.group, {p, p}}).first->second.box.include(p);
     }
-  return entities;
 }
 
 void write_entities(GmshOutput& out, const std::vector<CellList>& lists, const std::vector<Point3>& points) {
   std::array<std::map<Marker, Entity>, 4> entities;  // by dimension
   for (const CellList& list : lists)
-    entities[static_cast<std::size_t>(list.dimension)] = entities_of(list, points);
+    add_entities(list, points, entities[static_cast<std::size_t>(list.dimension)]);
   out.text("$Entities\n");
   for (const auto& of_dimension : entities) out.size(of_dimension.size());
   out.end_line();
@@ -250,7 +269,8 @@ void write_element_blocks(GmshOutput& out, const std::vector<CellList>& lists) {
       out.size(end - begin);
       out.end_line();
       for (std::size_t i = begin; i < end; ++i) {
-        out.size(++number);
+        number = number_of((*list.cells)[i], number);
+        out.size(number);
         for (std::size_t k = 0; k < list.corner_count; ++k) out.size((*list.cells)[i].corners[k].index() + 1);
         out.end_line();
       }

@@ -8,6 +8,7 @@
 #include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/su2_parser.hpp"
 #include "leonhard/mesh/io/formats/triangle_tables.hpp"
+#include "leonhard/mesh/io/formats/vtk_types.hpp"
 #include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
@@ -15,10 +16,8 @@ namespace leonhard::io {
 
 namespace {
 
-// VTK's numbers, which SU2 uses.
-constexpr std::int64_t line_type = 3, triangle_type = 5, quadrilateral_type = 9, tetrahedron_type = 10;
-
-constexpr const char* partitioned = "this is one part of a partitioned mesh; give the whole";
+constexpr std::int64_t line_type = vtk_line, triangle_type = vtk_triangle,
+                       quadrilateral_type = vtk_quadrilateral, tetrahedron_type = vtk_tetrahedron;
 
 // ---- reading ----
 
@@ -52,9 +51,9 @@ class MeshParser : Su2Parser {
     for (VertexId& v : facet.corners) v = read_vertex(a_vertex);
     soup_.facets.push_back(facet);
   }
-  void add_point(const typename Simplex<Dim>::Point& p) { soup_.points.push_back(p); }
 
  private:
+  void read_coordinates() override { soup_.points.push_back(read_point<typename Simplex<Dim>::Point>()); }
   void reserve(std::size_t cells, std::size_t points) override {
     soup_.cells.reserve(cells);
     soup_.points.reserve(points);
@@ -81,17 +80,12 @@ class TriangleParser final : public MeshParser<2> {
     add_cell(type == triangle_type ? 3 : 4);
   }
 
-  void read_coordinates() override {
-    const double x = scan().number("the x coordinate of a point");
-    add_point({x, scan().number("the y coordinate of a point")});
-  }
-
   void read_boundary_element(const std::string& tag, Marker marker) override {
     const std::int64_t type = scan().integer("the type of a boundary edge (3 line)");
     if (type != line_type)
       scan().fail("the marker " + in_quotes(tag) + " has an element of type " + std::to_string(type) +
                       ", but a boundary of the plane is made of lines",
-                  type == 1 ? partitioned : "use 3 (line)");
+                  type == 1 ? su2_partitioned : "use 3 (line)");
     add_facet("a vertex of the boundary edge", marker);
   }
 };
@@ -113,18 +107,12 @@ class TetParser final : public MeshParser<3> {
     return type == 12 ? " (hexahedron)" : type == 13 ? " (prism)" : type == 14 ? " (pyramid)" : "";
   }
 
-  void read_coordinates() override {
-    const double x = scan().number("the x coordinate of a point"),
-                 y = scan().number("the y coordinate of a point");
-    add_point({x, y, scan().number("the z coordinate of a point")});
-  }
-
   void read_boundary_element(const std::string& tag, Marker marker) override {
     const std::int64_t type = scan().integer("the type of a boundary face (5 triangle)");
     if (type != triangle_type)
       scan().fail("the marker " + in_quotes(tag) + " has an element of type " + std::to_string(type) +
                       ", but the boundary of tetrahedra is made of triangles",
-                  type == 1 ? partitioned : "use 5 (triangle)");
+                  type == 1 ? su2_partitioned : "use 5 (triangle)");
     add_facet("a vertex of the boundary face", marker);
   }
 };

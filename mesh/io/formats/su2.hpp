@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "leonhard/mesh/io/file_contents.hpp"
+#include "leonhard/mesh/io/mixed_mesh_file.hpp"
 
 namespace leonhard::io {
 
@@ -48,5 +49,22 @@ void write_su2(const std::filesystem::path& path, const TriangleMesh& mesh);
 /// The format has no place for vertex markers, regions and interfaces. throws as write_su2 of triangles
 void write_su2(const std::filesystem::path& path, const TetMesh& mesh);
 [[nodiscard]] std::string format_su2(const TetMesh& mesh);
+
+/// The same for meshes of mixed cells, quadrilaterals left whole: cells of type 5 (triangle) and 9 (quadrilateral), markers of
+/// type 3 (line) in the plane; cells of type 10 (tetrahedron), 12 (hexahedron), 13 (prism) and 14 (pyramid), markers of
+/// type 5 and 9 in space. Ids are the file's. Corners come in the order of CellKind; where all cells of a kind are turned
+/// over they are turned back, which the warnings tell.
+///
+/// throws  InputError as read_su2 and read_mixed_mesh do
+template <int Dim>
+[[nodiscard]] MixedMeshFile<Dim> read_mixed_su2(const std::filesystem::path& path);
+template <int Dim>
+[[nodiscard]] MixedMeshFile<Dim> parse_mixed_su2(std::string_view text, const std::string& source);
+
+/// The format has no place for vertex markers, regions and inner facets. throws as write_su2 of triangles
+void write_su2(const std::filesystem::path& path, const MixedMesh<2>& mesh);
+void write_su2(const std::filesystem::path& path, const MixedMesh<3>& mesh);
+[[nodiscard]] std::string format_su2(const MixedMesh<2>& mesh);
+[[nodiscard]] std::string format_su2(const MixedMesh<3>& mesh);
 
 }  // namespace leonhard::io

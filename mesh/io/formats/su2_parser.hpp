@@ -7,8 +7,10 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "leonhard/kernel/point.hpp"
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/pslg.hpp"
@@ -23,6 +25,9 @@ namespace leonhard::io {
 /// throws InputError if two markers share a tag, or one cannot stand in a file
 [[nodiscard]] std::map<Marker, std::string> su2_tags(const std::map<Marker, std::string>& names,
                                                      const std::set<Marker>& used);
+
+/// What to do about an element of a single vertex.
+inline constexpr const char* su2_partitioned = "this is one part of a partitioned mesh; give the whole";
 
 /// Reads the sections of an SU2 file in any order; what cells, points and boundary elements look like is up to the
 /// dimension.
@@ -41,6 +46,17 @@ class Su2Parser {
 
   /// The next words as a vertex id, whose range is checked later.
   VertexId read_vertex(const char* expected);
+  /// The next words as coordinates, a Point2 or Point3.
+  template <class Point>
+  Point read_point() {
+    const double x = scan_.number("the x coordinate of a point"),
+                 y = scan_.number("the y coordinate of a point");
+    if constexpr (std::is_same_v<Point, Point2>) {
+      return {x, y};
+    } else {
+      return {x, y, scan_.number("the z coordinate of a point")};
+    }
+  }
   TextScanner& scan() { return scan_; }
   std::map<Marker, std::string>& names() { return notes_; }
   std::vector<std::string>& warnings() { return warnings_; }

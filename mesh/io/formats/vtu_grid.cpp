@@ -85,6 +85,12 @@ std::size_t VtuGrid::read_count(const XmlElement& element, const char* attribute
   return static_cast<std::size_t>(count);
 }
 
+void VtuGrid::check_vertex_count(const VtuCells& cells, std::size_t c, std::size_t expected) const {
+  if (cells.vertices(c).size() != expected)
+    fail(*cells.array, "cell " + std::to_string(c) + " of type " + std::to_string(cells.types[c]) + " has " +
+                           std::to_string(cells.vertices(c).size()) + " vertices");
+}
+
 VertexId VtuGrid::vertex(const XmlElement& array, std::int64_t id) const {
   if (id < 0 || static_cast<std::uint64_t>(id) >= point_count_)
     fail(array, "vertex " + std::to_string(id) + " does not exist, the file has vertices 0 to " +
@@ -126,6 +132,21 @@ std::vector<Point3> VtuGrid::read_points() const {
   for (std::size_t i = 0; i < coordinates.size(); i += 3)
     points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
   return points;
+}
+
+std::vector<Point2> VtuGrid::read_plane_points() const {
+  const std::vector<Point3> points = read_points();
+  std::vector<Point2> plane;
+  plane.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].z != points[0].z)
+      fail(points_array(),
+           "point " + std::to_string(i) + " has z = " + std::to_string(points[i].z) +
+               " unlike the first, which has z = " + std::to_string(points[0].z),
+           "only meshes in a plane z = const can be read");
+    plane.push_back({points[i].x, points[i].y});
+  }
+  return plane;
 }
 
 VtuCells VtuGrid::read_cells() const {
@@ -253,6 +274,22 @@ std::vector<PointField> VtuGrid::read_point_fields(std::vector<std::string>& war
 }
 std::vector<CellField> VtuGrid::read_cell_fields(std::vector<std::string>& warnings) const {
   return read_fields<CellField>(cell_data(), cell_count_, vtu_names::region, warnings);
+}
+
+std::vector<CellField> VtuGrid::read_cell_fields(const VtuCells& cells, std::span<const std::int64_t> types,
+                                                 std::vector<std::string>& warnings) const {
+  std::vector<CellField> fields = read_cell_fields(warnings);
+  for (CellField& field : fields) {
+    std::size_t kept = 0;
+    for (std::size_t c = 0; c < cells.count(); ++c) {
+      if (std::find(types.begin(), types.end(), cells.types[c]) == types.end()) continue;
+      const auto row = field.values.begin() + static_cast<std::ptrdiff_t>(c * field.components);
+      std::copy_n(row, field.components,
+                  field.values.begin() + static_cast<std::ptrdiff_t>(kept++ * field.components));
+    }
+    field.values.resize(kept * field.components);
+  }
+  return fields;
 }
 
 PointField VtuGrid::read_field(const std::string& name) const {

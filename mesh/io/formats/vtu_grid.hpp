@@ -14,15 +14,12 @@
 #include "leonhard/mesh/id.hpp"
 #include "leonhard/mesh/io/file_contents.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
+#include "leonhard/mesh/io/formats/vtk_types.hpp"
 #include "leonhard/mesh/io/formats/xml.hpp"
 #include "leonhard/mesh/pslg.hpp"
 
 /// What the grids of the plane and of space have in common. Not meant for callers of the room.
 namespace leonhard::io {
-
-// VTK's cell types.
-inline constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5, vtk_quadrilateral = 9,
-                              vtk_tetrahedron = 10;
 
 /// The cells of a grid.
 struct VtuCells {
@@ -51,6 +48,8 @@ class VtuGrid {
 
   [[nodiscard]] const XmlElement& points_array() const;
   [[nodiscard]] std::vector<Point3> read_points() const;
+  /// Of a mesh in a plane z = const.
+  [[nodiscard]] std::vector<Point2> read_plane_points() const;
   /// Offsets are in order and within the connectivity.
   [[nodiscard]] VtuCells read_cells() const;
   /// The types of the cells alone.
@@ -70,10 +69,15 @@ class VtuGrid {
   /// All fields of points and of cells but those that carry the mesh; what is left out the warnings say.
   [[nodiscard]] std::vector<PointField> read_point_fields(std::vector<std::string>& warnings) const;
   [[nodiscard]] std::vector<CellField> read_cell_fields(std::vector<std::string>& warnings) const;
+  /// Those of cells without the rows of cells of other types, such as lines on the boundary.
+  [[nodiscard]] std::vector<CellField> read_cell_fields(const VtuCells& cells,
+                                                        std::span<const std::int64_t> types,
+                                                        std::vector<std::string>& warnings) const;
 
   [[nodiscard]] static const XmlElement* find_array(const XmlElement* data, std::string_view name);
   [[nodiscard]] VertexId vertex(const XmlElement& array, std::int64_t id) const;   ///< which must exist
   [[nodiscard]] Marker marker(const XmlElement& array, std::int64_t value) const;  ///< which must fit
+  void check_vertex_count(const VtuCells& cells, std::size_t c, std::size_t expected) const;
   [[noreturn]] void fail(const XmlElement& element, std::string problem, std::string remedy = {}) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <initializer_list>
+#include <array>
 #include <utility>
 
 #include "leonhard/mesh/io/formats/vtu_grid.hpp"
@@ -13,16 +13,10 @@ namespace leonhard::io {
 
 namespace {
 
-void check_vertex_count(const VtuGrid& grid, const VtuCells& cells, std::size_t c, std::size_t expected) {
-  if (cells.vertices(c).size() != expected)
-    grid.fail(*cells.array, "cell " + std::to_string(c) + " of type " + std::to_string(cells.types[c]) +
-                                " has " + std::to_string(cells.vertices(c).size()) + " vertices");
-}
-
 /// A cell's vertices as ids that exist.
 template <std::size_t count>
 std::array<VertexId, count> ids_of(const VtuGrid& grid, const VtuCells& cells, std::size_t c) {
-  check_vertex_count(grid, cells, c, count);
+  grid.check_vertex_count(cells, c, count);
   std::array<VertexId, count> ids;
   for (std::size_t i = 0; i < count; ++i) ids[i] = grid.vertex(*cells.array, cells.vertices(c)[i]);
   return ids;
@@ -70,38 +64,7 @@ SimplexMeshFile<Dim> finish(const VtuGrid& grid, MeshSoup<Dim>&& soup) {
   return file;
 }
 
-/// The file's cell fields without the rows of cells of other types, such as lines on the boundary.
-std::vector<CellField> rows_of_cells(const VtuGrid& grid, const VtuCells& cells,
-                                     std::initializer_list<std::int64_t> types,
-                                     std::vector<std::string>& warnings) {
-  std::vector<CellField> fields = grid.read_cell_fields(warnings);
-  for (CellField& field : fields) {
-    std::size_t kept = 0;
-    for (std::size_t c = 0; c < cells.count(); ++c) {
-      if (std::find(types.begin(), types.end(), cells.types[c]) == types.end()) continue;
-      const auto row = field.values.begin() + static_cast<std::ptrdiff_t>(c * field.components);
-      std::copy_n(row, field.components,
-                  field.values.begin() + static_cast<std::ptrdiff_t>(kept++ * field.components));
-    }
-    field.values.resize(kept * field.components);
-  }
-  return fields;
-}
-
 // ---- the plane ----
-
-void read_triangle_points(const VtuGrid& grid, MeshSoup<2>& soup) {
-  const std::vector<Point3> points = grid.read_points();
-  soup.points.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].z != points[0].z)
-      grid.fail(grid.points_array(),
-                "point " + std::to_string(i) + " has z = " + std::to_string(points[i].z) +
-                    " unlike the first, which has z = " + std::to_string(points[0].z),
-                "only meshes in a plane z = const can be read");
-    soup.points.push_back({points[i].x, points[i].y});
-  }
-}
 
 void read_triangle_cells(const VtuGrid& grid, MeshSoup<2>& soup) {
   const VtuCells cells = grid.read_cells();
@@ -110,7 +73,7 @@ void read_triangle_cells(const VtuGrid& grid, MeshSoup<2>& soup) {
   for (std::size_t c = 0; c < cells.count(); ++c) {
     const std::int64_t type = cells.types[c];
     if (type == vtk_vertex) {
-      check_vertex_count(grid, cells, c, 1);
+      grid.check_vertex_count(cells, c, 1);
     } else if (type == vtk_line) {
       soup.facets.push_back({ids_of<2>(grid, cells, c), markers.empty() ? 1 : markers[c]});
     } else if (type == vtk_triangle) {
@@ -125,7 +88,7 @@ void read_triangle_cells(const VtuGrid& grid, MeshSoup<2>& soup) {
     const bool is_cell = type == vtk_triangle || type == vtk_quadrilateral;
     if (is_cell && !regions.empty()) soup.cell_regions.push_back(regions[c]);
   }
-  soup.cell_fields = rows_of_cells(grid, cells, {vtk_triangle, vtk_quadrilateral}, soup.warnings);
+  soup.cell_fields = grid.read_cell_fields(cells, std::array{vtk_triangle, vtk_quadrilateral}, soup.warnings);
 }
 
 // ---- space ----
@@ -137,9 +100,9 @@ void read_tet_cells(const VtuGrid& grid, MeshSoup<3>& soup) {
   for (std::size_t c = 0; c < cells.count(); ++c) {
     const std::int64_t type = cells.types[c];
     if (type == vtk_vertex) {
-      check_vertex_count(grid, cells, c, 1);
+      grid.check_vertex_count(cells, c, 1);
     } else if (type == vtk_line) {
-      check_vertex_count(grid, cells, c, 2);
+      grid.check_vertex_count(cells, c, 2);
     } else if (type == vtk_triangle) {
       soup.facets.push_back({ids_of<3>(grid, cells, c), markers.empty() ? 1 : markers[c]});
     } else if (type == vtk_tetrahedron) {
@@ -154,7 +117,7 @@ void read_tet_cells(const VtuGrid& grid, MeshSoup<3>& soup) {
                 "only tetrahedra (10), and triangles (5) on the boundary or inside, can be read");
     }
   }
-  soup.cell_fields = rows_of_cells(grid, cells, {vtk_tetrahedron}, soup.warnings);
+  soup.cell_fields = grid.read_cell_fields(cells, std::array{vtk_tetrahedron}, soup.warnings);
 }
 
 }  // namespace
@@ -164,7 +127,7 @@ MeshFile parse_vtu(std::string_view bytes, const std::string& source) {
   const VtuGrid grid(root, source);
   MeshSoup<2> soup;
   soup.source = source;
-  read_triangle_points(grid, soup);
+  soup.points = PerId<VertexId, Point2>(grid.read_plane_points());
   read_triangle_cells(grid, soup);
   return finish(grid, std::move(soup));
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <type_traits>
@@ -8,6 +10,7 @@
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/formats/field_checks.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
+#include "leonhard/mesh/io/formats/vtk_types.hpp"
 #include "leonhard/mesh/io/formats/vtu_names.hpp"
 #include "leonhard/mesh/io/formats/xml.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
@@ -15,8 +18,6 @@
 namespace leonhard::io {
 
 namespace {
-
-constexpr std::uint8_t triangle_type = 5, tetrahedron_type = 10;
 
 template <class T>
 constexpr const char* vtk_type() {
@@ -61,25 +62,43 @@ std::vector<double> with_third_component(const std::vector<double>& pairs) {
   return triples;
 }
 
-/// Rows of the vertices and the marker of each.
+std::array<VertexId, 2> vertices_of(const MarkedEdge& edge) { return {edge.from, edge.to}; }
+const std::array<VertexId, 3>& vertices_of(const MarkedFace& face) { return face.corners; }
 template <int Dim>
-std::vector<std::int64_t> rows_of(const std::vector<typename Simplex<Dim>::MarkedFacet>& facets) {
+const MixedFacet<Dim>& vertices_of(const MarkedMixedFacet<Dim>& facet) {
+  return facet.corners;
+}
+
+/// Rows of the vertices and the marker of each, as long as the longest facet asks, at least `corners` vertices: -1 where
+/// a shorter one has no vertex.
+template <class Facet>
+void write_facets(VtuText& text, const char* name, const std::vector<Facet>& facets, std::size_t corners) {
+  for (const Facet& facet : facets) corners = std::max(corners, vertices_of(facet).size());
   std::vector<std::int64_t> rows;
-  for (const auto& facet : facets) {
-    for (const VertexId v : Simplex<Dim>::corners_of(facet))
-      rows.push_back(static_cast<std::int64_t>(v.index()));
+  rows.reserve((corners + 1) * facets.size());
+  for (const Facet& facet : facets) {
+    for (const VertexId v : vertices_of(facet)) rows.push_back(static_cast<std::int64_t>(v.index()));
+    rows.insert(rows.end(), corners - vertices_of(facet).size(), -1);
     rows.push_back(facet.marker);
   }
-  return rows;
+  text.array(name, corners + 1, rows, true);
 }
 
 template <int Dim>
-void write_field_data(VtuText& text, const SimplexMesh<Dim>& mesh) {
+const auto& inner_facets_of(const SimplexMesh<Dim>& mesh) {
+  return mesh.inner_facets();
+}
+template <int Dim>
+const auto& inner_facets_of(const MixedMesh<Dim>& mesh) {
+  return mesh.inner_facets;
+}
+
+template <int Dim, class Mesh>
+void write_field_data(VtuText& text, const Mesh& mesh) {
   text.line("<FieldData>");
-  text.array(vtu_names::boundary, Dim + 1, rows_of<Dim>(mesh.boundary), true);
-  if (!mesh.inner_facets().empty())
-    text.array(Dim == 2 ? vtu_names::constraints : vtu_names::interfaces, Dim + 1,
-               rows_of<Dim>(mesh.inner_facets()), true);
+  write_facets(text, vtu_names::boundary, mesh.boundary, Dim);
+  if (!inner_facets_of(mesh).empty())
+    write_facets(text, Dim == 2 ? vtu_names::constraints : vtu_names::interfaces, inner_facets_of(mesh), Dim);
   if (!mesh.marker_names.empty()) {
     std::vector<std::int64_t> numbers;
     std::vector<std::uint8_t> names;
@@ -113,8 +132,39 @@ void write_fields(VtuText& text, const std::vector<Field>& fields) {
 Point3 in_space(Point2 p) { return {p.x, p.y, 0}; }
 const Point3& in_space(const Point3& p) { return p; }
 
+/// Cells as VTK has them.
+class VtuCellArrays {
+ public:
+  template <class Corners>
+  void add(CellKind kind, const Corners& corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      connectivity_.push_back(
+          static_cast<std::int64_t>(corners[kind == CellKind::prism ? vtk_prism_order[i] : i].index()));
+    offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
+    types_.push_back(static_cast<std::uint8_t>(vtk_type_of(kind)));
+  }
+  void write(VtuText& text) const {
+    text.array("connectivity", 1, connectivity_);
+    text.array("offsets", 1, offsets_);
+    text.array("types", 1, types_);
+  }
+
+ private:
+  std::vector<std::int64_t> connectivity_, offsets_;
+  std::vector<std::uint8_t> types_;
+};
+
 template <int Dim>
-void write_grid(VtuText& text, const SimplexMesh<Dim>& mesh) {
+void add_cells(VtuCellArrays& cells, const SimplexMesh<Dim>& mesh) {
+  for (const auto& corners : mesh.corners) cells.add(simplex_kind<Dim>, corners);
+}
+template <int Dim>
+void add_cells(VtuCellArrays& cells, const MixedMesh<Dim>& mesh) {
+  for (const CellId cell : mesh.kinds.ids()) cells.add(mesh.kinds[cell], mesh.corners_of(cell));
+}
+
+template <class Mesh>
+void write_grid(VtuText& text, const Mesh& mesh) {
   text.line("<Points>");
   std::vector<double> coordinates;
   coordinates.reserve(3 * mesh.vertex_count());
@@ -126,25 +176,18 @@ void write_grid(VtuText& text, const SimplexMesh<Dim>& mesh) {
   text.line("</Points>");
 
   text.line("<Cells>");
-  std::vector<std::int64_t> connectivity, offsets;
-  connectivity.reserve(4 * mesh.corners.size());
-  offsets.reserve(mesh.corners.size());
-  for (const auto& corners : mesh.corners) {
-    for (const VertexId v : corners) connectivity.push_back(static_cast<std::int64_t>(v.index()));
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-  }
-  text.array("connectivity", 1, connectivity);
-  text.array("offsets", 1, offsets);
-  text.array("types", 1,
-             std::vector<std::uint8_t>(mesh.corners.size(), Dim == 2 ? triangle_type : tetrahedron_type));
+  VtuCellArrays cells;
+  add_cells(cells, mesh);
+  cells.write(text);
   text.line("</Cells>");
 }
 
-template <int Dim>
-std::string format(const SimplexMesh<Dim>& mesh, const std::vector<PointField>& point_fields,
+template <int Dim, class Mesh>
+std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields,
                    const std::vector<CellField>& cell_fields) {
+  mesh::require_ids_in_range(mesh);
   check_fields(point_fields, mesh.vertex_count(), {vtu_names::vertex_marker});
-  check_fields(cell_fields, mesh.corners.size(), {vtu_names::region});
+  check_fields(cell_fields, mesh.cell_count(), {vtu_names::region});
   VtuText text;
   const std::string compressor(vtk_compressor());
   text.line("<?xml version=\"1.0\"?>");
@@ -153,9 +196,9 @@ std::string format(const SimplexMesh<Dim>& mesh, const std::vector<PointField>& 
             "\" header_type=\"UInt64\"" + (compressor.empty() ? "" : " compressor=\"" + compressor + "\"") +
             ">");
   text.line("<UnstructuredGrid>");
-  write_field_data(text, mesh);
+  write_field_data<Dim>(text, mesh);
   text.line("<Piece NumberOfPoints=\"" + std::to_string(mesh.vertex_count()) + "\" NumberOfCells=\"" +
-            std::to_string(mesh.corners.size()) + "\">");
+            std::to_string(mesh.cell_count()) + "\">");
   text.line("<PointData>");
   write_fields(text, point_fields);
   if (!mesh.vertex_markers.empty()) text.array(vtu_names::vertex_marker, 1, mesh.vertex_markers.flat());
@@ -174,13 +217,19 @@ std::string format(const SimplexMesh<Dim>& mesh, const std::vector<PointField>& 
 
 std::string format_vtu(const TriangleMesh& mesh, const std::vector<PointField>& point_fields,
                        const std::vector<CellField>& cell_fields) {
-  mesh::require_ids_in_range(mesh);
-  return format(mesh, point_fields, cell_fields);
+  return format<2>(mesh, point_fields, cell_fields);
 }
 std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& point_fields,
                        const std::vector<CellField>& cell_fields) {
-  mesh::require_ids_in_range(mesh);
-  return format(mesh, point_fields, cell_fields);
+  return format<3>(mesh, point_fields, cell_fields);
+}
+std::string format_vtu(const MixedMesh<2>& mesh, const std::vector<PointField>& point_fields,
+                       const std::vector<CellField>& cell_fields) {
+  return format<2>(mesh, point_fields, cell_fields);
+}
+std::string format_vtu(const MixedMesh<3>& mesh, const std::vector<PointField>& point_fields,
+                       const std::vector<CellField>& cell_fields) {
+  return format<3>(mesh, point_fields, cell_fields);
 }
 
 void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
@@ -188,6 +237,14 @@ void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
   write_file_atomically(path, format_vtu(mesh, point_fields, cell_fields));
 }
 void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
+               const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
+  write_file_atomically(path, format_vtu(mesh, point_fields, cell_fields));
+}
+void write_vtu(const std::filesystem::path& path, const MixedMesh<2>& mesh,
+               const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
+  write_file_atomically(path, format_vtu(mesh, point_fields, cell_fields));
+}
+void write_vtu(const std::filesystem::path& path, const MixedMesh<3>& mesh,
                const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
   write_file_atomically(path, format_vtu(mesh, point_fields, cell_fields));
 }

@@ -142,20 +142,20 @@ Sign orientation(const PerId<VertexId, Point3>& points, const SoupCell& cell) {
 }
 
 /// Programs that write several kinds of cells may turn each kind its own way.
-struct CellKind {
+struct KindCounts {
   std::uint32_t corner_count;
   const char *name, *no_size;
   std::size_t count = 0, negative = 0;
 };
 template <int Dim>
-std::vector<CellKind> cell_kinds() {
+std::vector<KindCounts> cell_kinds() {
   if constexpr (Dim == 3) return {{4, "tetrahedra", " has no volume"}};
   return {{3, "triangles", " has zero area"}, {4, "quadrilaterals", " has zero area or crosses itself"}};
 }
 
 /// Names the first negative cells among positive ones of a kind, or the other way round if these are fewer.
 template <int Dim>
-[[noreturn]] void refuse_mixture(const MeshSoup<Dim>& soup, const CellKind& kind) {
+[[noreturn]] void refuse_mixture(const MeshSoup<Dim>& soup, const KindCounts& kind) {
   const bool few_are_negative = 2 * kind.negative <= kind.count;
   const std::size_t count = few_are_negative ? kind.negative : kind.count - kind.negative;
   const Sign odd = few_are_negative ? Sign::negative : Sign::positive;
@@ -179,10 +179,10 @@ template <int Dim>
 /// validate_embedding.
 template <int Dim>
 void orient_cells(MeshSoup<Dim>& soup, std::vector<std::string>& warnings) {
-  std::vector<CellKind> kinds = cell_kinds<Dim>();
+  std::vector<KindCounts> kinds = cell_kinds<Dim>();
   for (std::size_t c = 0; c < soup.cells.size(); ++c) {
     const SoupCell& cell = soup.cells[c];
-    CellKind& kind = kinds[cell.corner_count == kinds[0].corner_count ? 0 : 1];
+    KindCounts& kind = kinds[cell.corner_count == kinds[0].corner_count ? 0 : 1];
     const Sign sign = orientation(soup.points, cell);
     if (sign == Sign::zero)
       throw InputError(where(soup, cell.line), cell_words(soup, c) + kind.no_size,
@@ -190,7 +190,7 @@ void orient_cells(MeshSoup<Dim>& soup, std::vector<std::string>& warnings) {
     ++kind.count;
     if (sign == Sign::negative) ++kind.negative;
   }
-  for (const CellKind& kind : kinds) {
+  for (const KindCounts& kind : kinds) {
     if (kind.negative == 0) continue;
     if (kind.negative < kind.count) refuse_mixture(soup, kind);
     for (SoupCell& cell : soup.cells) {
