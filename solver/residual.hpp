@@ -13,6 +13,7 @@ namespace leonhard::solver {
 
 struct SpatialOptions {
   int order = 2;  ///< 1 or 2
+  FluxKind flux = FluxKind::roe;
   LimiterKind limiter = LimiterKind::venkatakrishnan;
   double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double entropy_fix = 0.05;
