@@ -10,6 +10,7 @@
 
 using namespace leonhard::app;
 using leonhard::BoundaryKind;
+using leonhard::FluxKind;
 using leonhard::LimiterKind;
 
 namespace {
