@@ -252,16 +252,21 @@ TEST_CASE("density_and_pressure_stay_positive_in_a_first_order_step_with_rusanov
   }
 }
 
-/// (v_b - v_a) F - (psi_b - psi_a), v the entropy variables of -rho s / (gamma - 1), psi = rho Vn: not positive where the
-/// flux makes entropy (E. Tadmor, Mathematics of Computation 49, 1987).
+/// The derivatives of -rho s / (gamma - 1) by the conservative variables.
+Components<2, double> entropy_variables(const Primitive<2, double>& w) {
+  const double beta = w.rho / (2 * w.p), s = std::log(w.p) - 1.4 * std::log(w.rho);
+  return {{(1.4 - s) / 0.4 - beta * solver::dot(w.velocity, w.velocity), 2 * beta * w.velocity.e[0],
+           2 * beta * w.velocity.e[1], -2 * beta}};
+}
+
+/// (v_b - v_a) F - (psi_b - psi_a), v the entropy variables, psi = rho Vn: not positive where the flux makes entropy
+/// (E. Tadmor, Mathematics of Computation 49, 1987).
 double entropy_lost(const Components<2, double>& f, const Primitive<2, double>& a,
                     const Primitive<2, double>& b, const Vector<2, double>& n) {
   double sum = 0;
   for (const auto& [w, sign] : {std::pair{b, 1.0}, std::pair{a, -1.0}}) {
-    const double beta = w.rho / (2 * w.p), s = std::log(w.p) - 1.4 * std::log(w.rho);
-    const double v[4] = {(1.4 - s) / 0.4 - beta * solver::dot(w.velocity, w.velocity),
-                         2 * beta * w.velocity.e[0], 2 * beta * w.velocity.e[1], -2 * beta};
-    for (int j = 0; j < 4; ++j) sum += sign * v[j] * f.e[j];
+    const Components<2, double> v = entropy_variables(w);
+    for (int j = 0; j < 4; ++j) sum += sign * v.e[j] * f.e[j];
     sum -= sign * w.rho * solver::dot(w.velocity, n);
   }
   return sum;
@@ -281,6 +286,33 @@ TEST_CASE("the_central_flux_keeps_entropy_and_the_dissipations_make_it") {
   }
 }
 
+TEST_CASE("the_jump_before_the_dissipation_is_a_symmetric_matrix_times_the_jump_of_the_entropy_variables") {
+  Sampler sample;
+  for (int i = 0; i < 50; ++i) {
+    const auto a = sample.state<2>(3), b = sample.state<2>(3);
+    const solver::KepMeans<2, double> m = solver::kep_means(a, b);
+    // Derivatives of the conservative variables by the entropy variables: T. J. Barth, Lecture Notes in Computational
+    // Science and Engineering 5, 1999, for the mean state of density rho_log and pressure rho_log / (2 beta_log).
+    const double rho = m.rho_log, p = rho / (2 * m.beta_log), u = m.velocity.e[0], v = m.velocity.e[1];
+    const double energy = p / 0.4 + 0.5 * rho * (u * u + v * v), h = (energy + p) / rho;
+    const double matrix[4][4] = {{rho, rho * u, rho * v, energy},
+                                 {rho * u, rho * u * u + p, rho * u * v, rho * h * u},
+                                 {rho * v, rho * u * v, rho * v * v + p, rho * h * v},
+                                 {energy, rho * h * u, rho * h * v, rho * h * h - 1.4 * p / rho * p / 0.4}};
+    const auto va = entropy_variables(a), vb = entropy_variables(b);
+    const auto n = sample.normal2();
+    const solver::KepJump<2, double> jump = solver::kep_jump(1.4, m, n);
+    double expected[4] = {};
+    for (int r = 0; r < 4; ++r)
+      for (int c = 0; c < 4; ++c) expected[r] += matrix[r][c] * (vb.e[c] - va.e[c]);
+    for (int r = 0; r < 4; ++r) CHECK(jump.conserved.e[r] == doctest::Approx(expected[r]).epsilon(1e-10));
+    const double* e = expected;
+    CHECK(jump.n == doctest::Approx((e[1] - u * e[0]) * n.e[0] + (e[2] - v * e[0]) * n.e[1]).epsilon(1e-10));
+    CHECK(jump.p ==
+          doctest::Approx(0.4 * (e[3] - u * e[1] - v * e[2] + 0.5 * (u * u + v * v) * e[0])).epsilon(1e-10));
+  }
+}
+
 TEST_CASE("the_central_flux_carries_momentum_at_the_mean_velocity_as_a_flux_that_keeps_kinetic_energy_must") {
   Sampler sample;
   for (int i = 0; i < 50; ++i) {
@@ -293,6 +325,14 @@ TEST_CASE("the_central_flux_carries_momentum_at_the_mean_velocity_as_a_flux_that
     CHECK(std::abs(rest[0] * n.e[1] - rest[1] * n.e[0]) < 1e-15);
     CHECK(rest[0] * n.e[0] + rest[1] * n.e[1] >= std::min(a.p, b.p) * (1 - 1e-15));
   }
+}
+
+TEST_CASE("ausm_plus_up_lets_a_pressure_drive_gas_at_rest_as_published") {
+  // Liou 2006, equations (21) and (72): mass flux = K_p / f_a of the pressure's jump over the speed of sound of (29).
+  const FluxConstants k{1.4, 0, 0.1};
+  const auto f = flux_of<2>(FluxKind::ausm_plus_up, k, {1, {{0, 0}}, 0.7}, {1, {{0, 0}}, 0.71}, {{1, 0}});
+  const double c = std::sqrt(2.8 / 2.4 * 0.7), f_a = 0.1 * (2 - 0.1);
+  CHECK(f.e[0] == doctest::Approx(-0.25 / f_a * 0.01 / c).epsilon(1e-12));
 }
 
 TEST_CASE("logarithmic_mean_is_that_of_the_logarithm") {
