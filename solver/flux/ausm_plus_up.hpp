@@ -3,7 +3,7 @@
 
 #include "leonhard/solver/flux/primitive.hpp"
 
-// AUSM+-up for all speeds: M.-S. Liou, Journal of Computational Physics 214, 2006, sections 3.1 to 3.3.
+// AUSM+-up for all speeds: M.-S. Liou, Journal of Computational Physics 214, 2006.
 
 namespace leonhard::solver {
 
@@ -24,14 +24,14 @@ LEONHARD_INLINE T split_pressure(const T& m, const T& alpha) {
   return select(magnitude<T>(m) < constant<T>(1), inside, outside);
 }
 
-/// The speed of sound that one side brings to the face: equation (30).
+/// The speed of sound that one side brings to the face.
 template <int dim, class T>
 LEONHARD_INLINE T critical_speed(double gamma, const Primitive<dim, T>& w, const T& outwards) {
   const T critical2 = 2 * (gamma - 1) / (gamma + 1) * total_enthalpy(gamma, w);
   return critical2 / larger<T>(root(critical2), outwards);
 }
 
-/// K_p = 1/4, K_u = 3/4, sigma = 1; the Mach number of the free stream bounds the scaling from below (equation 71).
+/// K_p = 1/4, K_u = 3/4, sigma = 1; the Mach number of the free stream bounds the scaling from below (M_co there).
 template <int dim, class T>
 LEONHARD_INLINE Components<dim, T> flux_ausm_plus_up(const FluxConstants& k, const Primitive<dim, T>& a,
                                                      const Primitive<dim, T>& b, const Vector<dim, T>& n) {

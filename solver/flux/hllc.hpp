@@ -27,7 +27,7 @@ LEONHARD_INLINE Components<dim, T> hllc_star_flux(double gamma, const Primitive<
 
 /// The outer waves are the faster of each side's own and Roe's (B. Einfeldt, SIAM Journal on Numerical Analysis 25,
 /// 1988), which keeps density and pressure positive in a step of first order (P. Batten et al., SIAM Journal on
-/// Scientific Computing 18, 1997, section 4).
+/// Scientific Computing 18, 1997).
 template <int dim, class T>
 LEONHARD_INLINE Components<dim, T> flux_hllc(const FluxConstants& k, const Primitive<dim, T>& a,
                                              const Primitive<dim, T>& b, const Vector<dim, T>& n) {

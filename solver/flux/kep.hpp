@@ -10,7 +10,7 @@
 namespace leonhard::solver {
 
 /// The logarithmic mean (x - y) / log(x / y) of two positive numbers, without a logarithm: that of x and y is that of
-/// their square roots times the mean of these (B. C. Carlson, American Mathematical Monthly 79, 1972, section 2); after
+/// their square roots times the mean of these (B. C. Carlson, American Mathematical Monthly 79, 1972); after
 /// four roots log is a short series. To rounding for ratios up to 1000, to 1e-9 up to 10^6.
 template <class T>
 LEONHARD_INLINE T logarithmic_mean(const T& x, const T& y) {
@@ -44,7 +44,7 @@ LEONHARD_INLINE KepMeans<dim, T> kep_means(const Primitive<dim, T>& a, const Pri
   return m;
 }
 
-/// Equation (4.12) and those before: momentum is carried as the mean velocity times the mass flux (A. Jameson, Journal
+/// His KEPEC flux: momentum is carried as the mean velocity times the mass flux (A. Jameson, Journal
 /// of Scientific Computing 34, 2008), and no entropy is made or lost.
 template <int dim, class T>
 LEONHARD_INLINE Components<dim, T> kep_central(double gamma, const KepMeans<dim, T>& m,
@@ -63,7 +63,7 @@ LEONHARD_INLINE Components<dim, T> kep_central(double gamma, const KepMeans<dim,
 }
 
 /// The jump of the conservative variables as the jump of the entropy variables brings it about in a mean state of
-/// density rho_log, pressure rho_log / (2 beta_log) and mean velocity (section 5). Any positive definite matrix in front
+/// density rho_log, pressure rho_log / (2 beta_log) and mean velocity. Any positive definite matrix in front
 /// of it makes entropy; in a contact at rest both pressure and velocity have no jump, so that |A| leaves it alone.
 template <int dim, class T>
 struct KepJump {

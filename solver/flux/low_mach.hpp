@@ -10,9 +10,9 @@
 namespace leonhard::solver {
 
 /// The share of the normal velocity's jump that upwinding keeps: the greatest Mach number, at most 1, of the two sides and
-/// the free stream (F. Rieper, Journal of Computational Physics 230, 2011, section 4, for Roe's flux; B. Thornber et al.,
-/// Journal of Computational Physics 227, 2008, section 3, for any Riemann solver; that the free stream bounds it from
-/// below: M.-S. Liou, Journal of Computational Physics 214, 2006, section 3.3). A supersonic free stream therefore leaves
+/// the free stream (F. Rieper, Journal of Computational Physics 230, 2011, for Roe's flux; B. Thornber et al.,
+/// Journal of Computational Physics 227, 2008, for any Riemann solver; that the free stream bounds it from
+/// below: M.-S. Liou, Journal of Computational Physics 214, 2006). A supersonic free stream therefore leaves
 /// the flux as it is. A jump of pressure counts as the Mach number of a flow that could bring it about, sqrt(|dp| / p), so
 /// that nothing is taken from a shock, wherever its states lie; in slow flow that is of the order of M as well.
 template <int dim, class T>

@@ -328,7 +328,7 @@ TEST_CASE("the_central_flux_carries_momentum_at_the_mean_velocity_as_a_flux_that
 }
 
 TEST_CASE("ausm_plus_up_lets_a_pressure_drive_gas_at_rest_as_published") {
-  // Liou 2006, equations (21) and (72): mass flux = K_p / f_a of the pressure's jump over the speed of sound of (29).
+  // Liou 2006: mass flux = K_p / f_a times the pressure's jump over the critical speed of sound.
   const FluxConstants k{1.4, 0, 0.1};
   const auto f = flux_of<2>(FluxKind::ausm_plus_up, k, {1, {{0, 0}}, 0.7}, {1, {{0, 0}}, 0.71}, {{1, 0}});
   const double c = std::sqrt(2.8 / 2.4 * 0.7), f_a = 0.1 * (2 - 0.1);

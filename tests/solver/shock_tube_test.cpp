@@ -8,7 +8,7 @@
 #include "tests/solver/meshes.hpp"
 
 // Shock tubes as strips of the plane, marched in time by the residual: Sod's (Journal of Computational Physics 27, 1978)
-// and two gases that part (B. Einfeldt et al., Journal of Computational Physics 92, 1991, section 4: "1-2-3").
+// and two gases that part (B. Einfeldt et al., Journal of Computational Physics 92, 1991: "1-2-3").
 
 namespace {
 
