@@ -18,8 +18,8 @@ enum class BoundaryKind {
 
 /// How the flux between two control volumes is computed; a file each in flux/, docs/solver.md tells when to take which.
 enum class FluxKind {
-  roe,            ///< the default
-  roe_low_mach,   ///< without the error that grows as the Mach number goes to 0
+  roe,            ///< characteristic by characteristic
+  roe_low_mach,   ///< without the error that grows as the Mach number goes to 0: the default
   hllc,           ///< keeps density and pressure positive
   hllc_low_mach,  ///< likewise, for small Mach numbers
   ausm_plus_up,   ///< for all Mach numbers
