@@ -16,6 +16,19 @@ enum class BoundaryKind {
   symmetry,            ///< as a slip wall, without forces
 };
 
+/// How the flux between two control volumes is computed; a file each in flux/, docs/solver.md tells when to take which.
+enum class FluxKind {
+  roe,            ///< characteristic by characteristic
+  roe_low_mach,   ///< without the error that grows as the Mach number goes to 0: the default
+  hllc,           ///< keeps density and pressure positive
+  hllc_low_mach,  ///< likewise, for small Mach numbers
+  ausm_plus_up,   ///< for all Mach numbers
+  rusanov,        ///< the most dissipative and the most robust
+  van_leer,       ///< smooth; smears contacts and shear
+  kep_scalar,     ///< central, keeps kinetic energy, makes entropy; dissipation by the fastest wave
+  kep_matrix,     ///< likewise, dissipation wave by wave
+};
+
 /// How a reconstructed gradient is limited; the formulas are in sweep/limiter.hpp.
 enum class LimiterKind { none, venkatakrishnan, barth_jespersen };
 
@@ -38,6 +51,30 @@ enum class Marching {
       return "supersonic_outflow";
     case BoundaryKind::symmetry:
       return "symmetry";
+  }
+  return "";
+}
+
+[[nodiscard]] constexpr std::string_view to_string(FluxKind kind) {
+  switch (kind) {
+    case FluxKind::roe:
+      return "roe";
+    case FluxKind::roe_low_mach:
+      return "roe_low_mach";
+    case FluxKind::hllc:
+      return "hllc";
+    case FluxKind::hllc_low_mach:
+      return "hllc_low_mach";
+    case FluxKind::ausm_plus_up:
+      return "ausm_plus_up";
+    case FluxKind::rusanov:
+      return "rusanov";
+    case FluxKind::van_leer:
+      return "van_leer";
+    case FluxKind::kep_scalar:
+      return "kep_scalar";
+    case FluxKind::kep_matrix:
+      return "kep_matrix";
   }
   return "";
 }

@@ -34,7 +34,8 @@ EulerResidual::EulerResidual(const EulerProblem& problem, const SpatialOptions& 
       follows_lift_(leonhard::solver::follows_lift(problem)),
       limiter_scale2_(limiter_scales(problem, options.venkatakrishnan_k, plan_.area)),
       gradient_(options.order == 2 ? 8 * plan_.vertex_count : 0),
-      settings_{problem.gas.gamma, options.entropy_fix, options.limiter, limiter_scale2_.data()} {}
+      settings_{problem.gas.gamma, options.entropy_fix, problem.free_stream.mach,
+                options.flux,      options.limiter,     limiter_scale2_.data()} {}
 
 void EulerResidual::follow_lift(const PerId<VertexId, State>& state) {
   if (follows_lift_) set_far_field_lift(problem_, total(wall_forces(problem_, state)).cl, boundary_);

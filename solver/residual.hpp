@@ -13,6 +13,7 @@ namespace leonhard::solver {
 
 struct SpatialOptions {
   int order = 2;  ///< 1 or 2
+  FluxKind flux = SteadyOptions{}.flux;
   LimiterKind limiter = LimiterKind::venkatakrishnan;
   double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double entropy_fix = 0.05;
@@ -21,7 +22,7 @@ struct SpatialOptions {
   std::uint32_t parts = 0;
 };
 
-/// The scheme's spatial operator: Roe's flux between linearly reconstructed primitive variables through the faces of
+/// The scheme's spatial operator: a numerical flux between linearly reconstructed primitive variables through the faces of
 /// the median dual, weak boundary conditions. A pure function of the state: the far field's vortex takes its
 /// circulation from the state's own lift. An object serves one caller at a time (it owns scratch).
 class EulerResidual {
@@ -41,8 +42,8 @@ class EulerResidual {
   /// is k area / sum. One a vertex, then rubbish.
   void wave_speed_sums(const PerId<VertexId, State>& state, std::vector<double>& sums);
 
-  /// Jacobian by conservative variables of the residual with states constant in a cell, Roe's matrix and the far field
-  /// held fixed. Blocks of 16, column by column, in the order of EdgePlan::neighbour_block; then rubbish.
+  /// Jacobian by conservative variables of the residual with states constant in a cell, the dissipation (near the flux's:
+  /// flux_jacobians) and the far field held fixed. Blocks of 16, column by column, in the order of EdgePlan::neighbour_block; then rubbish.
   void jacobian(const PerId<VertexId, State>& state, std::vector<double>& blocks);
 
   [[nodiscard]] const EdgePlan& plan() const { return plan_; }

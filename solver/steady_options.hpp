@@ -11,9 +11,10 @@
 
 namespace leonhard {
 
-/// How to march. The defaults are meant to work for every case from Mach 0.1 to 3.
+/// How to march. The defaults are meant to work for every case from Mach 0.01 to 3.
 struct SteadyOptions {
   Marching marching = Marching::implicit_ptc;
+  FluxKind flux = FluxKind::roe_low_mach;  ///< between control volumes; the far field keeps Roe's
   LimiterKind limiter = LimiterKind::venkatakrishnan;
   double venkatakrishnan_k = 3.0;   ///< >= 0; larger limits less; the scale is (k h / reference length)^3, h^2 the control volume
   int order = 2;                    ///< 1: states constant in a cell; 2: linear reconstruction

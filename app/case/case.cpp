@@ -28,6 +28,15 @@ constexpr std::pair<std::string_view, TrailingEdge> trailing_edge_words[] = {
     {"sharp", TrailingEdge::sharp}, {"open", TrailingEdge::open}, {"closed", TrailingEdge::closed}};
 constexpr std::pair<std::string_view, Marching> marching_words[] = {
     {"implicit", Marching::implicit_ptc}, {"explicit", Marching::explicit_multistage}};
+constexpr std::pair<std::string_view, FluxKind> flux_words[] = {{"roe", FluxKind::roe},
+                                                                {"roe-low-mach", FluxKind::roe_low_mach},
+                                                                {"hllc", FluxKind::hllc},
+                                                                {"hllc-low-mach", FluxKind::hllc_low_mach},
+                                                                {"ausm-plus-up", FluxKind::ausm_plus_up},
+                                                                {"rusanov", FluxKind::rusanov},
+                                                                {"van-leer", FluxKind::van_leer},
+                                                                {"kep-scalar", FluxKind::kep_scalar},
+                                                                {"kep-matrix", FluxKind::kep_matrix}};
 constexpr std::pair<std::string_view, LimiterKind> limiter_words[] = {
     {"venkatakrishnan", LimiterKind::venkatakrishnan},
     {"barth-jespersen", LimiterKind::barth_jespersen},
@@ -189,6 +198,7 @@ SolverCase read_solver(SectionReader solver) {
   s.marching = solver.choice("marching", std::optional(s.marching),
                              SectionReader::Words<Marching>(marching_words));
   s.order = static_cast<int>(solver.integer("order", s.order, 1, 2));
+  s.flux = solver.choice("flux", std::optional(s.flux), SectionReader::Words<FluxKind>(flux_words));
   s.limiter =
       solver.choice("limiter", std::optional(s.limiter), SectionReader::Words<LimiterKind>(limiter_words));
   s.venkatakrishnan_k = solver.number("venkatakrishnan_k", s.venkatakrishnan_k, at_least(0));

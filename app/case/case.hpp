@@ -69,6 +69,7 @@ struct ReferenceCase {
 struct SolverCase {
   Marching marching = SteadyOptions{}.marching;
   int order = 2;
+  FluxKind flux = SteadyOptions{}.flux;
   LimiterKind limiter = SteadyOptions{}.limiter;
   double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double residual_drop_orders = 8;

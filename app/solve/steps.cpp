@@ -63,6 +63,7 @@ SteadyOptions options_of(const SolveRun& run) {
   const SolverCase& s = run.the_case.solver;
   SteadyOptions options;
   options.marching = s.marching;
+  options.flux = s.flux;
   options.limiter = s.limiter;
   options.venkatakrishnan_k = s.venkatakrishnan_k;
   options.entropy_fix = s.entropy_fix;

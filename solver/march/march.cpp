@@ -8,7 +8,7 @@ namespace leonhard::solver {
 namespace {
 
 SpatialOptions spatial_options(const SteadyOptions& o) {
-  return {o.order, o.limiter, o.venkatakrishnan_k, o.entropy_fix, o.threads, o.part_of, o.parts};
+  return {o.order, o.flux, o.limiter, o.venkatakrishnan_k, o.entropy_fix, o.threads, o.part_of, o.parts};
 }
 
 }  // namespace

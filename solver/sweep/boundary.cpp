@@ -5,12 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "leonhard/solver/sweep/flux_roe.hpp"
+#include "leonhard/solver/flux/jacobian.hpp"
 
 namespace leonhard::solver {
 namespace {
 
-Primitive<double> primitive(const State& w) { return {w.rho, w.u, w.v, w.p}; }
+Primitive<2, double> primitive(const State& w) { return {w.rho, {{w.u, w.v}}, w.p}; }
+Vector<2, double> normal(const BoundaryEdge& edge) { return {{edge.nx, edge.ny}}; }
+Conserved conserved_flux(const Components<2, double>& f) { return {f.e[0], f.e[1], f.e[2], f.e[3]}; }
 
 }  // namespace
 
@@ -77,39 +79,36 @@ Conserved boundary_flux(Gas gas, double entropy_fix, const BoundaryEdge& edge, i
     case BoundaryKind::slip_wall:
     case BoundaryKind::symmetry:
       return {0, w.p * edge.nx, w.p * edge.ny, 0};
-    case BoundaryKind::far_field: {
-      const auto f = flux_roe<double>({gas.gamma, entropy_fix}, primitive(w), primitive(edge.outer[end]),
-                                      edge.nx, edge.ny);
-      return {f.e[0], f.e[1], f.e[2], f.e[3]};
-    }
+    case BoundaryKind::far_field:
+      return conserved_flux(
+          flux_roe({gas.gamma, entropy_fix}, primitive(w), primitive(edge.outer[end]), normal(edge)));
     case BoundaryKind::supersonic_inflow:
     case BoundaryKind::supersonic_outflow:
       break;
   }
   const State& outside = edge.kind == BoundaryKind::supersonic_inflow ? edge.outer[end] : w;
-  const auto f = euler_flux<double>(gas.gamma, primitive(outside), edge.nx, edge.ny);
-  return {f.e[0], f.e[1], f.e[2], f.e[3]};
+  return conserved_flux(euler_flux(gas.gamma, primitive(outside), normal(edge)));
 }
 
 void add_boundary_jacobian(Gas gas, double entropy_fix, const BoundaryEdge& edge, int end, const State& w,
                            double factor, double* block) {
-  Block<double> by_w{}, by_outer{};
-  const Primitive<double> inside = primitive(w);
+  Block<2, double> by_w{}, by_outer{};
+  const Primitive<2, double> inside = primitive(w);
   switch (edge.kind) {
     case BoundaryKind::slip_wall:
     case BoundaryKind::symmetry: {
-      const Four<double> by_p = pressure_gradient<double>(gas.gamma, w.u, w.v);
+      const Components<2, double> by_p = pressure_gradient(gas.gamma, inside.velocity);
       for (int j = 0; j < 4; ++j) by_w.m[1][j] = by_p.e[j] * edge.nx, by_w.m[2][j] = by_p.e[j] * edge.ny;
       break;
     }
     case BoundaryKind::far_field:
-      flux_roe_jacobians<double>({gas.gamma, entropy_fix}, inside, primitive(edge.outer[end]), edge.nx,
-                                 edge.ny, by_w, by_outer);
+      flux_roe_jacobians({gas.gamma, entropy_fix}, inside, primitive(edge.outer[end]), normal(edge), by_w,
+                         by_outer);
       break;
     case BoundaryKind::supersonic_inflow:
       return;
     case BoundaryKind::supersonic_outflow:
-      euler_jacobian<double>(gas.gamma, inside, edge.nx, edge.ny).add_to(by_w, 1.0);
+      euler_jacobian(gas.gamma, inside, normal(edge)).add_to(by_w, 1.0);
       break;
   }
   for (int j = 0; j < 4; ++j)

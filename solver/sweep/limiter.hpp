@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "leonhard/solver/sweep/lanes.hpp"
+#include "leonhard/solver/support/lanes.hpp"
 
 // Limiter formulas: how much of a step the reconstruction may take, given how much room the neighbours' values leave.
 // The loop that finds room and step is in sweep_impl.hpp. Both formulas, cut off at 1, do not increase with the step,

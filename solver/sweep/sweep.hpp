@@ -50,6 +50,8 @@ struct SweepMesh {
 struct SweepSettings {
   double gamma = 1.4;
   double entropy_fix = 0.05;
+  double mach = 0.5;  ///< of the free stream
+  FluxKind flux = FluxKind::roe;
   LimiterKind limiter = LimiterKind::none;
   const double* limiter_scale2 = nullptr;  ///< epsilon^2 of Venkatakrishnan's limiter, one a vertex
 };

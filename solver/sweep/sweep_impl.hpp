@@ -2,7 +2,8 @@
 // The loops declared in sweep.hpp. Included once by each sweep_*.cpp, which sets LEONHARD_SWEEP_NAME and the
 // instruction set. Everything has internal linkage.
 
-#include "leonhard/solver/sweep/flux_roe.hpp"
+#include "leonhard/solver/flux/flux.hpp"
+#include "leonhard/solver/flux/jacobian.hpp"
 #include "leonhard/solver/sweep/limiter.hpp"
 #include "leonhard/solver/sweep/sweep.hpp"
 
@@ -57,18 +58,18 @@ void limited_gradients(const SweepMesh& mesh, const PartRange& part, const Sweep
 }
 
 /// The states of four vertices, one vertex a lane.
-[[gnu::always_inline]] inline Primitive<Lanes> gather(const double* state, const std::uint32_t (&v)[4]) {
+[[gnu::always_inline]] inline Primitive<2, Lanes> gather(const double* state, const std::uint32_t (&v)[4]) {
   Lanes r[4];
   for (int i = 0; i < 4; ++i) r[i] = load(state + 4 * std::size_t{v[i]});
   transpose(r[0], r[1], r[2], r[3]);
-  return {r[0], r[1], r[2], r[3]};
+  return {r[0], {r[1], r[2]}, r[3]};
 }
 
 /// Likewise after `sign` times half an edge along the gradient. A state whose density or pressure would not be positive
 /// is left at the vertex's own.
-[[gnu::always_inline]] inline Primitive<Lanes> gather_linear(const double* state, const double* gradient,
-                                                             const EdgeMetric& m, double sign,
-                                                             const std::uint32_t (&v)[4]) {
+[[gnu::always_inline]] inline Primitive<2, Lanes> gather_linear(const double* state, const double* gradient,
+                                                                const EdgeMetric& m, double sign,
+                                                                const std::uint32_t (&v)[4]) {
   Lanes r[4];
   for (int i = 0; i < 4; ++i) {
     const double* g = gradient + 8 * std::size_t{v[i]};
@@ -77,7 +78,7 @@ void limited_gradients(const SweepMesh& mesh, const PartRange& part, const Sweep
     if (!(r[i][0] > 0) || !(r[i][3] > 0)) r[i] = own;
   }
   transpose(r[0], r[1], r[2], r[3]);
-  return {r[0], r[1], r[2], r[3]};
+  return {r[0], {r[1], r[2]}, r[3]};
 }
 
 struct Batch {
@@ -88,16 +89,23 @@ struct Batch {
   return {{e[0].a, e[1].a, e[2].a, e[3].a}, {e[0].b, e[1].b, e[2].b, e[3].b}};
 }
 
-template <bool linear>
-[[gnu::always_inline]] inline void flux_loop(const SweepMesh& mesh, const PartRange& part,
-                                             const SweepSettings& settings, const double* state,
-                                             const double* gradient, double* residual) {
-  const RoeConstants roe{settings.gamma, settings.entropy_fix};
+[[gnu::always_inline]] inline Vector<2, Lanes> normal_of(const EdgeMetric& m) {
+  return {{load(m.nx), load(m.ny)}};
+}
+
+[[gnu::always_inline]] inline FluxConstants constants_of(const SweepSettings& settings) {
+  return {settings.gamma, settings.entropy_fix, settings.mach};
+}
+
+template <FluxKind kind, bool linear>
+void flux_loop(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
+               const double* state, const double* gradient, double* residual) {
+  const FluxConstants constants = constants_of(settings);
   for (std::uint32_t e = part.edge_begin; e < part.edge_end; e += 4) {
     const EdgeEnds* ends = mesh.ends + e;
     const EdgeMetric& m = mesh.metric[e / 4];
     const Batch at = batch_of(ends);
-    Primitive<Lanes> a, b;
+    Primitive<2, Lanes> a, b;
     if constexpr (linear) {
       a = gather_linear(state, gradient, m, 1.0, at.a);
       b = gather_linear(state, gradient, m, -1.0, at.b);
@@ -105,7 +113,7 @@ template <bool linear>
       a = gather(state, at.a);
       b = gather(state, at.b);
     }
-    Four<Lanes> f = flux_roe<Lanes>(roe, a, b, load(m.nx), load(m.ny));
+    Components<2, Lanes> f = flux<kind>(constants, a, b, normal_of(m));
     const Lanes length = load(m.length);
     for (Lanes& component : f.e) component *= length;
     transpose(f.e[0], f.e[1], f.e[2], f.e[3]);
@@ -120,10 +128,12 @@ template <bool linear>
 
 void fluxes(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings, const double* state,
             const double* gradient, double* residual) {
-  if (gradient)
-    flux_loop<true>(mesh, part, settings, state, gradient, residual);
-  else
-    flux_loop<false>(mesh, part, settings, state, nullptr, residual);
+  with_flux(settings.flux, [&]<FluxKind kind>() {
+    if (gradient)
+      flux_loop<kind, true>(mesh, part, settings, state, gradient, residual);
+    else
+      flux_loop<kind, false>(mesh, part, settings, state, nullptr, residual);
+  });
 }
 
 void wave_speeds(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
@@ -132,8 +142,9 @@ void wave_speeds(const SweepMesh& mesh, const PartRange& part, const SweepSettin
     const EdgeEnds* ends = mesh.ends + e;
     const EdgeMetric& m = mesh.metric[e / 4];
     const Batch at = batch_of(ends);
-    const Primitive<Lanes> a = gather(state, at.a), b = gather(state, at.b);
-    const Lanes vn = 0.5 * ((a.u + b.u) * load(m.nx) + (a.v + b.v) * load(m.ny));
+    const Primitive<2, Lanes> a = gather(state, at.a), b = gather(state, at.b);
+    const Vector<2, Lanes>&va = a.velocity, &vb = b.velocity;
+    const Lanes vn = 0.5 * ((va.e[0] + vb.e[0]) * load(m.nx) + (va.e[1] + vb.e[1]) * load(m.ny));
     const Lanes c = root(Lanes(settings.gamma * (a.p + b.p) / (a.rho + b.rho)));
     const Lanes speed = (magnitude<Lanes>(vn) + c) * load(m.length);
     for (int i = 0; i < 4; ++i) {
@@ -144,7 +155,7 @@ void wave_speeds(const SweepMesh& mesh, const PartRange& part, const SweepSettin
 }
 
 /// Four edges' blocks, one edge a lane, to one block an edge, column by column.
-[[gnu::always_inline]] inline void columns_by_edge(const Block<Lanes>& block, const Lanes& length,
+[[gnu::always_inline]] inline void columns_by_edge(const Block<2, Lanes>& block, const Lanes& length,
                                                    Lanes (&out)[4][4]) {
   for (int j = 0; j < 4; ++j) {
     Lanes r[4];
@@ -154,16 +165,16 @@ void wave_speeds(const SweepMesh& mesh, const PartRange& part, const SweepSettin
   }
 }
 
-void jacobian(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
-              const double* state, double* blocks) {
-  const RoeConstants roe{settings.gamma, settings.entropy_fix};
+template <FluxKind kind>
+void jacobian_loop(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
+                   const double* state, double* blocks) {
+  const FluxConstants constants = constants_of(settings);
   for (std::uint32_t e = part.edge_begin; e < part.edge_end; e += 4) {
     const EdgeEnds* ends = mesh.ends + e;
     const EdgeMetric& m = mesh.metric[e / 4];
     const Batch at = batch_of(ends);
-    Block<Lanes> by_a, by_b;
-    flux_roe_jacobians<Lanes>(roe, gather(state, at.a), gather(state, at.b), load(m.nx), load(m.ny), by_a,
-                              by_b);
+    Block<2, Lanes> by_a, by_b;
+    flux_jacobians<kind>(constants, gather(state, at.a), gather(state, at.b), normal_of(m), by_a, by_b);
     Lanes edge_a[4][4], edge_b[4][4];
     columns_by_edge(by_a, load(m.length), edge_a);
     columns_by_edge(by_b, load(m.length), edge_b);
@@ -180,6 +191,12 @@ void jacobian(const SweepMesh& mesh, const PartRange& part, const SweepSettings&
       }
     }
   }
+}
+
+void jacobian(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
+              const double* state, double* blocks) {
+  with_jacobian(settings.flux,
+                [&]<FluxKind kind>() { jacobian_loop<kind>(mesh, part, settings, state, blocks); });
 }
 
 }  // namespace

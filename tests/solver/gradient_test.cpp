@@ -16,7 +16,7 @@ using solver::EdgePlan;
 std::vector<double> gradients(const EdgePlan& plan, const PerId<VertexId, State>& state,
                               LimiterKind limiter) {
   std::vector<double> gradient(8 * plan.vertex_count), scale2(plan.vertex_count, 1e-12);
-  const solver::SweepSettings settings{1.4, 0.05, limiter, scale2.data()};
+  const solver::SweepSettings settings{.limiter = limiter, .limiter_scale2 = scale2.data()};
   for (const solver::PartRange& part : plan.parts)
     solver::best_sweep().limited_gradients(plan.view(), part, settings, &state.flat().front().rho,
                                            gradient.data());

@@ -153,6 +153,24 @@ TEST_CASE("vortex_correction_takes_the_far_fields_distance_out_of_the_lift") {
   CHECK(std::abs(near_vortex - far_vortex) < 0.6 * std::abs(near_plain - far_plain));
 }
 
+TEST_CASE("low_mach_flux_takes_the_false_drag_out_of_slow_flow") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::o_mesh(64, 28, 20, 0.02, test::naca0012);
+  const auto forces = [&](double mach, FluxKind flux) {
+    SteadyOptions options;
+    options.flux = flux;
+    const SteadyResult result = solver::solve_steady(airfoil_problem(mesh, mach, 2), options);
+    CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
+    return result.forces;
+  };
+  const Forces slow = forces(0.01, FluxKind::roe_low_mach), usual = forces(0.3, FluxKind::roe_low_mach),
+               plain = forces(0.01, FluxKind::roe);
+  MESSAGE("drag at Mach 0.3 " << usual.cd << ", at 0.01 " << slow.cd << ", with Roe's flux " << plain.cd);
+  CHECK(std::abs(slow.cd) < 0.2 * plain.cd);
+  // Prandtl and Glauert: the lift grows as 1 / sqrt(1 - M^2).
+  CHECK(slow.cl == doctest::Approx(usual.cl * std::sqrt(1 - 0.09)).epsilon(0.02));
+}
+
 TEST_CASE("a_march_has_the_same_bits_for_one_and_two_threads") {
   test::start_petsc();
   const TriangleMesh mesh = test::o_mesh(128, 50, 10, 0.02, test::naca0012);

@@ -10,6 +10,7 @@
 
 using namespace leonhard::app;
 using leonhard::BoundaryKind;
+using leonhard::FluxKind;
 using leonhard::LimiterKind;
 
 namespace {
@@ -108,6 +109,7 @@ length = 3
 moment_centre = [0.5, 0.1]
 [solver]
 order = 1
+flux = "kep_matrix"
 limiter = "barth-jespersen"
 cfl_start = 3
 cfl_max = 30
@@ -134,6 +136,7 @@ close_up = [0, 1, 2, 3]
   CHECK(c.boundary.at("main").kind == BoundaryKind::slip_wall);
   CHECK(c.reference.moment_centre == leonhard::Point2{0.5, 0.1});
   CHECK(c.solver.order == 1);
+  CHECK(c.solver.flux == FluxKind::kep_matrix);
   CHECK(c.solver.limiter == LimiterKind::barth_jespersen);
   CHECK(c.solver.cfl_max == 30.0);
   CHECK(c.ordering == OrderChoice::none);
@@ -184,6 +187,7 @@ TEST_CASE("wrong_types_and_values_out_of_range_are_refused_with_line_key_and_ran
       {minimal + "translation = [1, nan]\n", "is not 2 finite numbers"},
       {minimal + "scale = -1\n", "body.body1.scale = -1 is not a finite number above 0"},
       {minimal + "[solver]\norder = 3\n", "solver.order = 3 is not an integer from 1 to 2"},
+      {minimal + "[solver]\nflux = \"roe-low-mac\"\n", "did you mean \"roe-low-mach\"?"},
       {minimal + "[solver]\nlimiter = \"venkatakrishan\"\n", "did you mean \"venkatakrishnan\"?"},
       {minimal + "[solver]\nmarching = 1\n", "solver.marching = 1 is not one of \"implicit\", \"explicit\""},
       {minimal + "[solver]\ncfl_start = 9\ncfl_max = 3\n",
