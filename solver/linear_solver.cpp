@@ -180,6 +180,7 @@ BlockSystem::BlockSystem(const BlockPattern& pattern)
   check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
   check(PCSetType(pc, PCILU), "PCSetType");
   check(PCFactorSetMatOrderingType(pc, MATORDERINGNATURAL), "PCFactorSetMatOrderingType");
+  check(PCFactorSetLevels(pc, 1), "PCFactorSetLevels");
   check(KSPSetType(self.ksp, KSPGMRES), "KSPSetType");
   check(KSPSetPCSide(self.ksp, PC_RIGHT), "KSPSetPCSide");
   check(KSPSetNormType(self.ksp, KSP_NORM_UNPRECONDITIONED), "KSPSetNormType");

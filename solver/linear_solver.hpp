@@ -76,7 +76,7 @@ class BlockSystem {
   BlockSystem(BlockSystem&&) noexcept;
   BlockSystem& operator=(BlockSystem&&) noexcept;
 
-  /// Set the matrix and its incomplete factors ILU(0) in the rows' own order.
+  /// Set the matrix and its incomplete factors ILU(1) (one level of fill) in the rows' own order.
   /// blocks   16 numbers a block of the pattern, column by column; may be longer, InputError if it is shorter
   /// returns  false where a pivot block is singular or a number is not finite; other blocks may be given then
   [[nodiscard]] bool factor(std::span<const double> blocks);

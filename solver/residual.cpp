@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "leonhard/solver/forces.hpp"
 
@@ -12,10 +13,28 @@ namespace {
 static_assert(sizeof(State) == 4 * sizeof(double));
 const double* numbers(const PerId<VertexId, State>& state) { return &state.flat().front().rho; }
 
+/// The larger extent of the slip walls, or of the mesh where there are none: what a variation's length is measured by,
+/// so that the answer does not depend on the unit of the coordinates.
+double extent_of(const EulerProblem& problem) {
+  double low[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  double high[2] = {-low[0], -low[1]};
+  const auto include = [&](Point2 p) {
+    low[0] = std::min(low[0], p.x), high[0] = std::max(high[0], p.x);
+    low[1] = std::min(low[1], p.y), high[1] = std::max(high[1], p.y);
+  };
+  for (const MarkedEdge& edge : problem.mesh.boundary)
+    if (problem.boundary.at(edge.marker) == BoundaryKind::slip_wall)
+      include(problem.mesh.points[edge.from]), include(problem.mesh.points[edge.to]);
+  if (low[0] > high[0])
+    for (const Point2& p : problem.mesh.points.flat()) include(p);
+  return std::max(high[0] - low[0], high[1] - low[1]);
+}
+
 std::vector<double> limiter_scales(const EulerProblem& problem, double k, const std::vector<double>& area) {
+  const double extent = extent_of(problem);
   std::vector<double> scale2(area.size());
   for (std::size_t v = 0; v < area.size(); ++v) {
-    const double h = k * std::sqrt(area[v]) / problem.reference.length;
+    const double h = k * std::sqrt(area[v]) / extent;
     scale2[v] = std::max(h * h * h, 1e-30);
   }
   return scale2;

@@ -24,6 +24,7 @@ struct March {
   PerId<VertexId, State> state;
   std::vector<double> residual;  ///< of state
   double first_norm = 0, norm = 0;
+  double rounding = 0;  ///< a norm below which the residual consists of rounding errors
   double cfl = 0;
   int linear_iterations = 0;  ///< since the last record
   int rejected = 0;

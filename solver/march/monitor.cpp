@@ -28,17 +28,17 @@ bool ConvergenceMonitor::coefficients_stand_still(std::size_t window) const {
   return true;
 }
 
-std::optional<Verdict> ConvergenceMonitor::record(const Iteration& iteration) {
-  history_.push_back(iteration);
-  best_so_far_.push_back(best_so_far_.empty()
+std::optional<Verdict> ConvergenceMonitor::record(const Iteration& iteration, bool at_rounding) {
+  best_so_far_.push_back(history_.size() == window_begin_
                              ? iteration.residual_drop_orders
                              : std::max(best_so_far_.back(), iteration.residual_drop_orders));
+  history_.push_back(iteration);
   if (report_) report_(iteration);
-  if (iteration.residual_drop_orders >= drop_orders_) return Verdict::converged;
+  if (at_rounding || iteration.residual_drop_orders >= drop_orders_) return Verdict::converged;
   if (stop_.stop_requested()) return Verdict::stopped;
   const std::size_t count = history_.size();
   const auto hangs_for = [&](std::size_t span) {
-    return count > span && best_so_far_.back() - best_so_far_[count - 1 - span] < falling;
+    return count > window_begin_ + span && best_so_far_.back() - best_so_far_[count - 1 - span] < falling;
   };
   if (window_ > 0 && hangs_for(window_) && coefficients_stand_still(window_)) return Verdict::settled;
   if (window_ > 0 && hangs_for(3 * window_)) return Verdict::stalled;

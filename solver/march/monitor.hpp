@@ -15,7 +15,7 @@ namespace leonhard::solver {
 
 /// Keeps the history and says when to stop.
 ///
-/// converged        the residual fell far enough
+/// converged        the residual fell far enough, or to what rounding leaves of it
 /// settled          over the window cl, cd and cm moved less than the tolerance while the residual's best value fell by
 ///                  less than `falling` orders
 /// stalled          over three windows the residual's best value fell by less than `falling` orders
@@ -28,7 +28,11 @@ class ConvergenceMonitor {
                      std::function<void(const Iteration&)> report, std::stop_token stop);
 
   /// Take one iteration down, report it, and answer whether that ends the march.
-  [[nodiscard]] std::optional<Verdict> record(const Iteration& iteration);
+  /// at_rounding  the residual is no greater than the rounding errors of the fluxes in it
+  [[nodiscard]] std::optional<Verdict> record(const Iteration& iteration, bool at_rounding = false);
+
+  /// Forget how the residual fell so far: the windows begin with the next iteration.
+  void restart_window() { window_begin_ = history_.size(); }
 
   [[nodiscard]] std::vector<Iteration> take_history() { return std::move(history_); }
 
@@ -41,7 +45,8 @@ class ConvergenceMonitor {
   std::function<void(const Iteration&)> report_;
   std::stop_token stop_;
   std::vector<Iteration> history_;
-  std::vector<double> best_so_far_;
+  std::vector<double> best_so_far_;  ///< drop since window_begin_, one an iteration
+  std::size_t window_begin_ = 0;
 };
 
 /// The first vertex whose state is unphysical, or else whose residual is not finite, with what lies next to it.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pseudo-transient continuation (Kelley and Keyes, SIAM Journal on Numerical Analysis 35, 1998). Each iteration solves
 //   (S / cfl + J) dq = -R(q),   S = sum of wave speeds times lengths about each vertex,
-// first with the first-order Jacobian for J (robust, cheap), and once the residual has fallen a little with the scheme's
-// own: products J x by a difference of residuals (Newton-Krylov), the first-order matrix's ILU(0) preconditioning.
+// in two phases. The start-up marches the scheme whose states are constant in a cell, with its own Jacobian: cheap steps
+// that carry shocks and expansions to about where they belong. Then the scheme itself: products J x by a difference of
+// residuals (Newton-Krylov), preconditioned with the incomplete factors of the first phase's matrix.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,18 +16,23 @@ namespace leonhard::solver {
 namespace {
 
 constexpr double default_cfl = 10, default_cfl_max = 1e6, least_cfl = 1e-3;
-constexpr double cfl_growth = 3;           ///< at most, an iteration
-constexpr double newton_drop = 0.9;        ///< orders after which the scheme's own Jacobian is used ...
-constexpr int newton_iteration = 40;       ///< ... or iterations
-constexpr double largest_change = 0.25;    ///< of density and pressure in a step, relative: see clip_step
-constexpr double many_clipped = 0.02;      ///< vertices of all: then the time step is cut
-constexpr double residual_may_grow = 1.5;  ///< by this factor in a step
-constexpr int halvings = 5;                ///< of a step whose residual grows more
-constexpr int patience = 5;  ///< iterations without a better residual before the time step is cut
+constexpr double cfl_growth = 3, greatest_growth = 5;  ///< an iteration, at an even residual and at a falling one
+
+constexpr double start_up_drop = 1.5;    ///< orders of its own residual after which the start-up ends ...
+constexpr int start_up_iterations = 200;  ///< ... or iterations
+constexpr double start_up_change = 1;    ///< of density and pressure at a vertex in a step; see relative_change
+constexpr double clipped_cfl = 20;  ///< the CFL number falls to this while vertices are held back by start_up_change
+constexpr LinearOptions start_up_linear{0.05, 60};
+
+constexpr double newton_cfl = 200;     ///< at most, where Newton's method takes over
+constexpr double newton_change = 0.4;  ///< of density and pressure at any vertex in a step
 // The lift hides in the linear residual's last hundredth: looser solutions leave it to build up over hundreds of steps.
-constexpr LinearOptions first_order_linear{0.01, 100};
-constexpr LinearOptions newton_linear{0.01, 120};
+constexpr LinearOptions newton_linear{0.02, 120};
 constexpr double difference_step = 1e-7;  ///< root mean square change of q in a difference of residuals
+
+constexpr double least_share = 0.03;       ///< of a step: below it the step is given up
+constexpr double residual_may_grow = 1.5;  ///< by this factor in a step, unless it goes round in circles
+constexpr int patience = 8;  ///< iterations without a better residual after which it may not grow at all
 
 /// The neighbours of each vertex and itself, ascending.
 BlockPattern block_pattern(const EdgePlan& plan) {
@@ -47,28 +53,39 @@ double norm_of(std::span<const double> x) {
   return std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.0));
 }
 
+/// A relative change as the march weighs it: a fall counts for more than a rise, and one of 1 would leave a fifth.
+double weigh(double change) { return change > 0 ? change : -1.25 * change; }
+
 class ImplicitMarch {
  public:
-  explicit ImplicitMarch(March& march) : march_(march), system_(block_pattern(march.spatial.plan())) {
+  explicit ImplicitMarch(March& march)
+      : march_(march), system_(block_pattern(march.spatial.plan())), starting_(march.options.initial.empty()) {
     to_conserved(march.problem.gas, march.state, q_);
     step_.resize(q_.size());
     march.cfl = std::min(march.options.cfl_start.value_or(default_cfl), cfl_max());
+    take_residual();
   }
 
   Verdict run() {
     for (int number = 1;; ++number) {
-      newton_ = newton_ || drop() >= newton_drop || number > newton_iteration;
+      if (starting_ && (std::log10(first_norm_ / norm_) >= start_up_drop || number > start_up_iterations))
+        take_over();
       while (!advance()) {
         if (march_.stop.stop_requested()) return Verdict::stopped;
         ++march_.rejected;
         march_.cfl *= 0.2;
         if (march_.cfl >= least_cfl) continue;
-        if (march_.bad_vertex) return Verdict::diverged;
-        if (!strict_) return Verdict::stalled;
-        strict_ = false;  // no step reduces the residual: let it grow a little
-        march_.cfl = std::min(default_cfl, cfl_max());
+        return march_.bad_vertex ? Verdict::diverged : Verdict::stalled;
       }
-      keep_improving();
+      if (starting_) {
+        march_.spatial.evaluate(march_.state, march_.residual);
+        march_.norm = residual_norm(march_.residual, march_.state.size());
+        march_.book.restart_window();
+      } else {
+        march_.residual = residual_;
+        march_.norm = norm_;
+        keep_improving();
+      }
       if (const auto verdict = march_.record(number)) return *verdict;
       if (march_.cfl < least_cfl) return Verdict::stalled;  // coefficients stand still because time does
     }
@@ -76,23 +93,42 @@ class ImplicitMarch {
 
  private:
   [[nodiscard]] double cfl_max() const { return march_.options.cfl_max.value_or(default_cfl_max); }
-  [[nodiscard]] double drop() const { return std::log10(march_.first_norm / march_.norm); }
 
-  /// One step: assemble, solve, clip the step before Newton's begin, halve it while the residual grows too much.
-  /// False: nothing changed.
+  /// The residual that this phase brings down.
+  void evaluate(const PerId<VertexId, State>& state, std::vector<double>& residual) {
+    if (starting_)
+      march_.spatial.evaluate_first_order(state, residual);
+    else
+      march_.spatial.evaluate(state, residual);
+  }
+
+  void take_residual() {
+    evaluate(march_.state, residual_);
+    norm_ = first_norm_ = residual_norm(residual_, march_.state.size());
+  }
+
+  void take_over() {
+    starting_ = false;
+    take_residual();
+    march_.cfl = std::min(march_.cfl, newton_cfl);
+  }
+
+  /// One step: assemble, solve, hold the step back where it changes too much, halve it while the residual grows too
+  /// much. False: nothing changed.
   bool advance() {
     march_.bad_vertex.reset();
     if (!assemble()) return false;
-    const LinearReport linear = solve();
-    march_.linear_iterations += linear.iterations;
-    if (linear.outcome == LinearOutcome::stopped || linear.outcome == LinearOutcome::breakdown) return false;
-    const double bound = newton_ ? safe_share() : clip_step();
-    double share = 1;
-    for (int cut = 0; cut <= halvings; ++cut, share *= 0.5) {
+    linear_ = solve();
+    march_.linear_iterations += linear_.iterations;
+    if (linear_.outcome == LinearOutcome::stopped || linear_.outcome == LinearOutcome::breakdown) return false;
+    clipped_ = starting_ ? clip_step() : 0;
+    const double bound = starting_ ? 1 : safe_share();
+    double share = bound;
+    for (int cuts = 0; share >= least_share; ++cuts, share *= 0.5) {
       if (!try_share(share)) continue;
-      const double before = march_.norm;
+      const double before = norm_;
       accept();
-      adapt_cfl(before / march_.norm, bound, cut);
+      adapt_cfl(before / norm_, bound, cuts);
       return true;
     }
     return false;
@@ -112,8 +148,8 @@ class ImplicitMarch {
 
   LinearReport solve() {
     right_.resize(q_.size());
-    for (std::size_t i = 0; i < q_.size(); ++i) right_[i] = -march_.residual[i];
-    if (!newton_) return system_.solve(right_, step_, first_order_linear, {}, march_.stop);
+    for (std::size_t i = 0; i < q_.size(); ++i) right_[i] = -residual_[i];
+    if (starting_) return system_.solve(right_, step_, start_up_linear, {}, march_.stop);
     return system_.solve(
         right_, step_, newton_linear,
         [this](std::span<const double> x, std::span<double> y) { multiply(x, y); }, march_.stop);
@@ -129,38 +165,37 @@ class ImplicitMarch {
     (void)to_states(march_.problem.gas, trial_, trial_state_);
     march_.spatial.evaluate(trial_state_, trial_residual_);
     for (std::size_t i = 0; i < q_.size(); ++i)
-      y[i] = (trial_residual_[i] - march_.residual[i]) / e + speeds_[i / 4] * x[i];
+      y[i] = (trial_residual_[i] - residual_[i]) / e + speeds_[i / 4] * x[i];
   }
 
-  /// The greater relative change of density and pressure that the step brings to a vertex.
-  [[nodiscard]] double change_at(VertexId v) const {
+  /// The greater relative change of density and pressure that the step brings to a vertex, weighed.
+  [[nodiscard]] double relative_change(VertexId v) const {
     const double g = march_.problem.gas.gamma - 1;
     const State& w = march_.state[v];
     const double* d = step_.data() + 4 * v.index();
     const double change_p = g * (0.5 * (w.u * w.u + w.v * w.v) * d[0] - w.u * d[1] - w.v * d[2] + d[3]);
-    return std::max(std::abs(d[0]) / w.rho, std::abs(change_p) / w.p);
+    return std::max(weigh(d[0] / w.rho), weigh(change_p / w.p));
   }
 
-  /// The share of the step that would change no density or pressure by more than largest_change.
+  /// The share of the step that changes no density or pressure by more than newton_change.
   [[nodiscard]] double safe_share() const {
-    double worst = largest_change;
-    for (const VertexId v : march_.state.ids()) worst = std::max(worst, change_at(v));
-    return largest_change / worst;
+    double worst = newton_change;
+    for (const VertexId v : march_.state.ids()) worst = std::max(worst, relative_change(v));
+    return newton_change / worst;
   }
 
-  /// Shorten the step at each vertex where it changes density or pressure by more than largest_change: a shock on its
+  /// Shorten the step at each vertex where it changes density or pressure by more than start_up_change: a shock on its
   /// way holds up its own neighbourhood only.
-  /// returns  1, or the share that safe_share would have given where many vertices were concerned
-  double clip_step() {
-    const double share = safe_share();
+  /// returns  at how many vertices
+  std::size_t clip_step() {
     std::size_t clipped = 0;
     for (const VertexId v : march_.state.ids()) {
-      const double change = change_at(v);
-      if (!(change > largest_change)) continue;
+      const double change = relative_change(v);
+      if (!(change > start_up_change)) continue;
       ++clipped;
-      for (std::size_t i = 0; i < 4; ++i) step_[4 * v.index() + i] *= largest_change / change;
+      for (std::size_t i = 0; i < 4; ++i) step_[4 * v.index() + i] *= start_up_change / change;
     }
-    return static_cast<double>(clipped) > many_clipped * static_cast<double>(march_.state.size()) ? share : 1;
+    return clipped;
   }
 
   bool try_share(double share) {
@@ -170,36 +205,54 @@ class ImplicitMarch {
       march_.bad_vertex = find_bad_vertex(march_.problem, trial_state_, {});
       return false;
     }
-    march_.spatial.evaluate(trial_state_, trial_residual_);
+    evaluate(trial_state_, trial_residual_);
     trial_norm_ = residual_norm(trial_residual_, march_.state.size());
-    if (!std::isfinite(trial_norm_))
+    if (!std::isfinite(trial_norm_)) {
       march_.bad_vertex = find_bad_vertex(march_.problem, trial_state_, trial_residual_);
-    return trial_norm_ <= (strict_ ? 1.0 : residual_may_grow) * march_.norm;
+      return false;
+    }
+    // A clipped step does not solve the linear system, so its unsteady residual says nothing.
+    const double reached = clipped_ > 0 ? trial_norm_ : unsteady_norm(share);
+    return reached <= (strict_ ? 1.0 : residual_may_grow) * norm_;
+  }
+
+  /// Of S / cfl dq + R(q + dq), which an exact step in time brings to nothing, however much R grows.
+  [[nodiscard]] double unsteady_norm(double share) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      const double r = trial_residual_[i] + share * speeds_[i / 4] * step_[i];
+      sum += r * r;
+    }
+    return std::sqrt(sum / static_cast<double>(march_.state.size()));
   }
 
   void accept() {
     q_.swap(trial_);
     march_.state.flat().swap(trial_state_.flat());
-    march_.residual.swap(trial_residual_);
-    march_.norm = trial_norm_;
+    residual_.swap(trial_residual_);
+    norm_ = trial_norm_;
   }
 
-  /// Switched evolution relaxation: the time step follows the residual, faster up than down.
+  /// Switched evolution relaxation: the time step follows the residual, faster up than down, held by what went wrong.
   void adapt_cfl(double reduction, double bound, int cuts) {
-    double factor = std::clamp(cfl_growth * std::sqrt(reduction), 0.5, cfl_growth);
+    double factor = std::clamp(cfl_growth * std::sqrt(reduction), 0.5, greatest_growth);
+    if (clipped_ > 0) factor = march_.cfl > clipped_cfl ? 0.7 : 1;
+    if (bound < 0.9) factor = std::min(factor, 1.0);
     if (bound < 0.3) factor = std::min(factor, 0.7);
-    if (cuts > 0) factor = std::pow(0.5, cuts);
+    if (linear_.outcome == LinearOutcome::iteration_limit)
+      factor = std::min(factor, linear_.relative_residual > 0.3 ? 0.5 : linear_.relative_residual > 0.1 ? 1.0 : 2.0);
+    if (cuts > 0) factor = std::min(factor, std::pow(0.5, cuts));
     march_.cfl = std::min(march_.cfl * factor, cfl_max());
   }
 
   /// A march can end in a cycle over the limiter's kinks: smaller time steps, and none that lets the residual grow,
   /// leave it.
   void keep_improving() {
-    if (march_.norm < 0.8 * best_norm_) {
-      best_norm_ = march_.norm;
+    if (norm_ < 0.8 * best_norm_) {
+      best_norm_ = norm_;
       waited_ = 0;
       strict_ = false;
-    } else if (newton_ && ++waited_ >= patience) {
+    } else if (++waited_ >= patience) {
       march_.cfl = std::max(0.1 * march_.cfl, std::min(march_.cfl, default_cfl));
       strict_ = true;
       waited_ = 0;
@@ -208,11 +261,14 @@ class ImplicitMarch {
 
   March& march_;
   BlockSystem system_;
-  bool newton_ = false;
-  std::vector<double> q_, step_, right_, blocks_, speeds_;
+  bool starting_;  ///< in the start-up
+  LinearReport linear_{};
+  std::size_t clipped_ = 0;  ///< vertices that the start-up held back in this step
+  std::vector<double> q_, residual_, step_, right_, blocks_, speeds_;
   std::vector<double> trial_, trial_residual_;
   PerId<VertexId, State> trial_state_;
-  double trial_norm_ = 0, best_norm_ = 1e300;
+  double first_norm_ = 0, norm_ = 0, trial_norm_ = 0;  ///< of this phase's residual
+  double best_norm_ = 1e300;
   int waited_ = 0;
   bool strict_ = false;  ///< the residual may not grow
 };

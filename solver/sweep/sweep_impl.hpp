@@ -38,20 +38,37 @@ struct Stencil {
   return s;
 }
 
+/// What counts as a large variation of each variable about a state: the squares of density, speed of sound (twice) and
+/// gamma times pressure, all 1 in the free stream.
+[[gnu::always_inline]] inline Lanes squared_size(const Lanes& own, double gamma) {
+  const double stiffness = gamma * own[3], c2 = stiffness / own[0];
+  return Lanes{own[0] * own[0], c2, c2, stiffness * stiffness};
+}
+
+/// How much of a step down density and pressure may take: all but 1 - step^4 / 4 of a small one, and never more than four
+/// fifths of their own value. Smooth, so that near vacuum Newton's method finds no kink.
+[[gnu::always_inline]] inline Lanes keep_positive(const Lanes& step_down, const Lanes& own) {
+  const Lanes part{step_down[0] / own[0], 0, 0, step_down[3] / own[3]};
+  const Lanes part2 = part * part * (1 / (0.8 * 0.8));
+  return 1.0 / root(root(Lanes(1.0 + part2 * part2)));
+}
+
 void limited_gradients(const SweepMesh& mesh, const PartRange& part, const SweepSettings& settings,
                        const double* state, double* gradient) {
   for (std::uint32_t k = part.vertex_begin; k < part.vertex_end; ++k) {
     const std::uint32_t v = mesh.part_vertices[k];
     const Stencil s = look_around(mesh, v, state);
+    const Lanes own = load(state + 4 * std::size_t{v});
     Lanes share = constant<Lanes>(1);
     if (settings.limiter == LimiterKind::venkatakrishnan) {
-      const Lanes scale2 = constant<Lanes>(settings.limiter_scale2[v]);
+      const Lanes scale2 = settings.limiter_scale2[v] * squared_size(own, settings.gamma);
       share = smaller<Lanes>(limit_venkatakrishnan<Lanes>(s.room_up, s.step_up, scale2),
                              limit_venkatakrishnan<Lanes>(s.room_down, s.step_down, scale2));
     } else if (settings.limiter == LimiterKind::barth_jespersen) {
       share = smaller<Lanes>(limit_barth_jespersen<Lanes>(s.room_up, s.step_up),
                              limit_barth_jespersen<Lanes>(s.room_down, s.step_down));
     }
+    share *= keep_positive(share * s.step_down, own);
     store(gradient + 8 * std::size_t{v}, share * s.gradient_x);
     store(gradient + 8 * std::size_t{v} + 4, share * s.gradient_y);
   }
@@ -65,17 +82,14 @@ void limited_gradients(const SweepMesh& mesh, const PartRange& part, const Sweep
   return {r[0], {r[1], r[2]}, r[3]};
 }
 
-/// Likewise after `sign` times half an edge along the gradient. A state whose density or pressure would not be positive
-/// is left at the vertex's own.
+/// Likewise after `sign` times half an edge along the gradient, which leaves density and pressure positive.
 [[gnu::always_inline]] inline Primitive<2, Lanes> gather_linear(const double* state, const double* gradient,
                                                                 const EdgeMetric& m, double sign,
                                                                 const std::uint32_t (&v)[4]) {
   Lanes r[4];
   for (int i = 0; i < 4; ++i) {
     const double* g = gradient + 8 * std::size_t{v[i]};
-    const Lanes own = load(state + 4 * std::size_t{v[i]});
-    r[i] = own + ((sign * m.half_x[i]) * load(g) + (sign * m.half_y[i]) * load(g + 4));
-    if (!(r[i][0] > 0) || !(r[i][3] > 0)) r[i] = own;
+    r[i] = load(state + 4 * std::size_t{v[i]}) + ((sign * m.half_x[i]) * load(g) + (sign * m.half_y[i]) * load(g + 4));
   }
   transpose(r[0], r[1], r[2], r[3]);
   return {r[0], {r[1], r[2]}, r[3]};
