@@ -16,7 +16,10 @@ struct SteadyOptions {
   Marching marching = Marching::implicit_ptc;
   FluxKind flux = FluxKind::roe_low_mach;  ///< between control volumes; the far field keeps Roe's
   LimiterKind limiter = LimiterKind::venkatakrishnan;
-  double venkatakrishnan_k = 3.0;   ///< >= 0; larger limits less; the scale is (k h / reference length)^3, h^2 the control volume
+  /// >= 0; larger limits less. A variation passes unlimited below (k h / extent)^1.5 of the local density, speed of sound
+  /// or pressure times gamma; h^2 is the control volume, the extent that of the slip walls, or of the mesh where there
+  /// are none.
+  double venkatakrishnan_k = 3.0;
   int order = 2;                    ///< 1: states constant in a cell; 2: linear reconstruction
   double entropy_fix = 0.05;        ///< Harten's delta as a fraction of |Vn| + c, in [0, 1]
   std::optional<double> cfl_start{};  ///< none: chosen by the marching kind

@@ -165,12 +165,12 @@ TEST_CASE("what_a_product_throws_reaches_the_caller_and_the_system_stays_usable"
   int calls = 0;
   CHECK_THROWS_WITH_AS((void)system.solve(b, x, {1e-12, 30},
                                           [&](std::span<const double> from, std::span<double> to) {
-                                            if (++calls == 2) throw std::domain_error("no such state");
+                                            if (++calls == 1) throw std::domain_error("no such state");
                                             const std::vector<double> y = a.times(from);
                                             std::copy(y.begin(), y.end(), to.begin());
                                           }),
                        "no such state", std::domain_error);
-  CHECK(calls == 2);
+  CHECK(calls == 1);
   CHECK(system.solve(b, x, {1e-12, 30}).outcome == LinearOutcome::reached);
   CHECK(largest_difference(x, exact) < 1e-11);
 }

@@ -27,7 +27,7 @@ TEST_CASE("least_squares_gradients_are_exact_for_linear_functions") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 3);
   const EdgePlan plan = solver::make_edge_plan(mesh);
   PerId<VertexId, State> state;
-  for (const Point2 p : mesh.points) state.push_back({1 + 2 * p.x - p.y, 3 * p.y, -p.x + 0.5 * p.y, 7 - p.x});
+  for (const Point2 p : mesh.points) state.push_back({2 + 2 * p.x - p.y, 3 * p.y, -p.x + 0.5 * p.y, 7 - p.x});
   const auto g = gradients(plan, state, LimiterKind::none);
   const double by_x[4] = {2, 0, -1, -1}, by_y[4] = {-1, 3, 0.5, 0};
   for (std::size_t v = 0; v < plan.vertex_count; ++v)
@@ -66,6 +66,25 @@ TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_th
       }
     }
   CHECK(overshoots > 100);  // without the limiter they leave it
+}
+
+TEST_CASE("near_vacuum_density_and_pressure_stay_positive_at_edge_midpoints_whatever_the_limiter") {
+  const TriangleMesh mesh = test::shaken_square(12, 0.3, 4);
+  const EdgePlan plan = solver::make_edge_plan(mesh);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> decades(-6, 1);
+  PerId<VertexId, State> state;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+    state.push_back({std::pow(10, decades(random)), decades(random), decades(random), std::pow(10, decades(random))});
+  for (const auto limiter : {LimiterKind::none, LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen}) {
+    const auto g = gradients(plan, state, limiter);
+    for (std::size_t v = 0; v < plan.vertex_count; ++v)
+      for (const std::size_t i : {0, 3})
+        for (std::uint32_t s = plan.neighbours.offsets()[v]; s < plan.neighbours.offsets()[v + 1]; ++s) {
+          const double own = (&state.flat()[v].rho)[i];
+          CHECK(own + plan.slot[s].half_x * g[8 * v + i] + plan.slot[s].half_y * g[8 * v + 4 + i] > 0.19 * own);
+        }
+  }
 }
 
 TEST_CASE("limiters_leave_linear_functions_alone_inside") {

@@ -146,8 +146,26 @@ double venkatakrishnan(double room, double step, double e) {
                            (step * (room * room + 2 * step * step + room * step + e)));
 }
 
+/// The extent of the walls along x.
+double chord_of(const EulerProblem& problem) {
+  double low = 1e300, high = -1e300;
+  for (const MarkedEdge& edge : problem.mesh.boundary)
+    if (problem.boundary.at(edge.marker) == BoundaryKind::slip_wall) {
+      low = std::min(low, problem.mesh.points[edge.from].x);
+      high = std::max(high, problem.mesh.points[edge.from].x);
+    }
+  return high - low;
+}
+
+/// How much of a fall by `part` of the own value is left of density and pressure.
+double positive_share(double part) {
+  if (part <= 0.5) return 1;
+  const double beyond = part - 0.5;
+  return (0.5 + 0.3 * beyond / (0.3 + beyond)) / part;
+}
+
 std::vector<Gradient> plain_gradients(const TriangleMesh& mesh, const PerId<VertexId, State>& state,
-                                      const std::vector<double>& area, double k) {
+                                      const std::vector<double>& area, double k_per_extent) {
   std::vector<Gradient> gradients(mesh.vertex_count());
   for (const auto& [v, around] : neighbours_of(mesh)) {
     const Point2 here = mesh.points.flat()[v];
@@ -157,7 +175,9 @@ std::vector<Gradient> plain_gradients(const TriangleMesh& mesh, const PerId<Vert
       const Vec2 d = mesh.points.flat()[n] - here;
       xx += d.x * d.x / dot(d, d), xy += d.x * d.y / dot(d, d), yy += d.y * d.y / dot(d, d);
     }
-    const double e = std::pow(k * std::sqrt(area[v]), 3);
+    const State& own = state.flat()[v];
+    const double c = std::sqrt(1.4 * own.p / own.rho);
+    const double size[4] = {own.rho, c, c, 1.4 * own.p};
     for (int i = 0; i < 4; ++i) {
       double bx = 0, by = 0, up = 0, down = 0;
       for (const std::size_t n : around) {
@@ -168,11 +188,14 @@ std::vector<Gradient> plain_gradients(const TriangleMesh& mesh, const PerId<Vert
       }
       const double gx = (yy * bx - xy * by) / (xx * yy - xy * xy),
                    gy = (xx * by - xy * bx) / (xx * yy - xy * xy);
-      double share = 1;
+      const double e = std::pow(k_per_extent * std::sqrt(area[v]), 3) * size[i] * size[i];
+      double share = 1, fall = 0;
       for (const std::size_t n : around) {
         const double step = 0.5 * dot({gx, gy}, mesh.points.flat()[n] - here);
         share = std::min(share, venkatakrishnan(step > 0 ? up : down, step, e));
+        fall = std::max(fall, -step);
       }
+      if (i == 0 || i == 3) share *= positive_share(share * fall / value(v, i));
       gradients[v].x[i] = share * gx, gradients[v].y[i] = share * gy;
     }
   }
@@ -241,7 +264,7 @@ std::vector<double> plain_residual(const EulerProblem& problem, const PerId<Vert
     for (const VertexId v : t)
       area[v.index()] +=
           cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]) / 6;
-  const auto gradients = plain_gradients(mesh, state, area, k);
+  const auto gradients = plain_gradients(mesh, state, area, k / chord_of(problem));
   for (const auto& [ends, normal] : plain_dual_normals(mesh)) {
     const auto [a, b] = ends;
     const Vec2 half = 0.5 * (mesh.points.flat()[b] - mesh.points.flat()[a]);
@@ -290,6 +313,21 @@ TEST_CASE("vectorised_residual_equals_a_plain_one_written_independently") {
   }
   CHECK(scale > 0.1);
   CHECK(worst < 1e-13 * scale * 10);
+}
+
+TEST_CASE("residual_scales_with_the_unit_of_the_mesh_to_the_bit") {
+  const TriangleMesh mesh = test::o_mesh(61, 40, 8, 0.02, test::naca0012);
+  TriangleMesh larger = mesh;  // a power of two, whatever the reference length: nothing rounds differently
+  for (Point2& p : larger.points) p = {1024 * p.x, 1024 * p.y};
+  EulerProblem problem = about_airfoil(mesh), larger_problem = about_airfoil(larger);
+  problem.vortex_correction = larger_problem.vortex_correction = false;
+  const auto state = rough_states(mesh, 22);
+  std::vector<double> out, larger_out;
+  EulerResidual(problem, {}).evaluate(state, out);
+  EulerResidual(larger_problem, {}).evaluate(state, larger_out);
+  std::size_t other = 0;
+  for (std::size_t i = 0; i < 4 * mesh.vertex_count(); ++i) other += larger_out[i] == 1024 * out[i] ? 0 : 1;
+  CHECK(other == 0);
 }
 
 TEST_CASE("first_order_jacobian_is_the_residuals_derivative_at_a_uniform_state") {
