@@ -43,10 +43,10 @@ double least_seconds(int repeats, Work&& work) {
 
 void time_residual(const EulerProblem& problem) {
   solver::EulerResidual residual(problem, {});
-  const PerId<VertexId, State> state(problem.mesh.vertex_count(),
+  const PerId<VertexId, State> state(problem.dual.vertex_count(),
                                      solver::free_stream_state(problem.gas, problem.free_stream));
   std::vector<double> out, blocks;
-  const double scale = 1e6 / static_cast<double>(problem.mesh.vertex_count());
+  const double scale = 1e6 / static_cast<double>(problem.dual.vertex_count());
   std::cout << "inner loops: " << residual.kernels().name << "\n";
   std::cout << "residual: " << scale * least_seconds(200, [&] { residual.evaluate(state, out); })
             << " us a vertex\n";
@@ -63,7 +63,7 @@ void time_explicit(const EulerProblem& problem) {
   for (std::size_t i = 1; i < result.history.size(); ++i)
     least = std::min(least, result.history[i].seconds - result.history[i - 1].seconds);
   std::cout << "explicit three-stage iteration: "
-            << 1e6 * least / static_cast<double>(problem.mesh.vertex_count()) << " us a vertex ("
+            << 1e6 * least / static_cast<double>(problem.dual.vertex_count()) << " us a vertex ("
             << result.words << ")\n";
 }
 
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   try {
     const PetscSession petsc;
     const TriangleMesh mesh = reordered(io::read_mesh(argv[1]).mesh);
-    EulerProblem problem{mesh, {}, {argc == 4 ? std::atof(argv[2]) : 0.8, 0}, {}, {}, true, {0.25, 0}, {}};
+    EulerProblem problem{mesh::build_dual(mesh), {}, {argc == 4 ? std::atof(argv[2]) : 0.8, 0}, {}, {}, true, {0.25, 0}, {}};
     problem.free_stream.alpha_rad = (argc == 4 ? std::atof(argv[3]) : 1.25) * std::numbers::pi / 180;
     for (const auto& [marker, name] : mesh.marker_names)
       problem.boundary[marker] =

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/mesh_dual.hpp"
 
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/structures/edges_of_pairs.hpp"
+#include "leonhard/mesh/structures/mixed_sides.hpp"
+#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::mesh {
 namespace {
@@ -102,9 +105,29 @@ EdgeList build_edges(const MixedMesh<Dim>& mesh) {
 
 template <int Dim>
 DualFacet<Dim> dual_facet(const PerId<VertexId, typename Simplex<Dim>::Point>& points,
-                          const MarkedMixedFacet<Dim>& facet) {
-  return dual_of_facet(points, DualFacet<Dim>{facet.corners, facet.marker, {}, {}});
+                          const MarkedMixedFacet<Dim>& facet, CellKind cell) {
+  return dual_of_facet(points, DualFacet<Dim>{facet.corners, facet.marker, cell, {}, {}});
 }
+
+namespace {
+
+template <int Dim>
+void list_boundary(const MixedMesh<Dim>& mesh, MeshDual<Dim>& dual) {
+  dual.boundary.reserve(mesh.boundary.size());
+  if (mesh.count_of(simplex_kind<Dim>) == mesh.cell_count()) {
+    for (const auto& facet : mesh.boundary) dual.boundary.push_back(dual_facet(mesh.points, facet));
+    return;
+  }
+  const MixedSides<Dim> sides(mesh);
+  for (const auto& facet : mesh.boundary) {
+    const auto behind = sides.find(directed_ring(facet.corners).ring);
+    if (behind.empty())
+      throw InputError("boundary", words(mesh, facet.corners) + " is no facet of a cell", "take it out");
+    dual.boundary.push_back(dual_facet(mesh.points, facet, mesh.kinds[behind[0].cell]));
+  }
+}
+
+}  // namespace
 
 template <int Dim>
 MeshDual<Dim> build_dual(const MixedMesh<Dim>& mesh) {
@@ -124,8 +147,7 @@ MeshDual<Dim> build_dual(const MixedMesh<Dim>& mesh) {
               dual.volume[to] += volume;
             });
   }
-  dual.boundary.reserve(mesh.boundary.size());
-  for (const auto& facet : mesh.boundary) dual.boundary.push_back(dual_facet(mesh.points, facet));
+  list_boundary(mesh, dual);
   return dual;
 }
 
@@ -136,8 +158,8 @@ MeshDual<Dim> build_dual(const SimplexMesh<Dim>& mesh) {
 
 template EdgeList build_edges(const MixedMesh<2>&);
 template EdgeList build_edges(const MixedMesh<3>&);
-template DualFacet<2> dual_facet(const PerId<VertexId, Point2>&, const MarkedMixedFacet<2>&);
-template DualFacet<3> dual_facet(const PerId<VertexId, Point3>&, const MarkedMixedFacet<3>&);
+template DualFacet<2> dual_facet(const PerId<VertexId, Point2>&, const MarkedMixedFacet<2>&, CellKind);
+template DualFacet<3> dual_facet(const PerId<VertexId, Point3>&, const MarkedMixedFacet<3>&, CellKind);
 template MeshDual<2> build_dual(const MixedMesh<2>&);
 template MeshDual<3> build_dual(const MixedMesh<3>&);
 template MeshDual<2> build_dual(const SimplexMesh<2>&);

@@ -18,7 +18,8 @@ struct DualFacet {
   using Vector = typename Simplex<Dim>::Vector;
   MixedFacet<Dim> corners;  ///< directed outwards: the mesh lies to the left of an edge, behind a face
   Marker marker{};
-  Vector normal;  ///< OUTWARD, times length or area; of a face that bends, the integral of the unit normal
+  CellKind cell = simplex_kind<Dim>;  ///< of the cell behind it
+  Vector normal;                      ///< OUTWARD, times length or area; of a face that bends, the integral of the unit normal
   /// The part of normal that belongs to each of the corners: half of an edge, a third of a triangle, of a quadrilateral the
   /// piece between the corner, the midpoints of its two edges and the centre. They add up to normal; beyond the last: 0.
   std::array<Vector, MixedFacet<Dim>::most_corners> shares{};
@@ -70,7 +71,7 @@ template <int Dim>
 ///
 /// mesh    any; a volume is sure to be positive only if the triangles and tetrahedra between an edge, a face's centre
 ///         and a cell's centre are
-/// throws  InputError as require_ids_in_range does
+/// throws  InputError as require_ids_in_range does, and naming an entry of the boundary that is no facet of a cell
 /// Cost O(cells log degree).
 template <int Dim>
 [[nodiscard]] MeshDual<Dim> build_dual(const MixedMesh<Dim>& mesh);
@@ -79,10 +80,11 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] MeshDual<Dim> build_dual(const SimplexMesh<Dim>& mesh);
 
-/// The dual of one facet of a boundary, directed outwards: its normal and shares. marker as given.
+/// The dual of one facet of a boundary, directed outwards: its normal and shares. Marker and kind of the cell behind as given.
 template <int Dim>
 [[nodiscard]] DualFacet<Dim> dual_facet(const PerId<VertexId, typename Simplex<Dim>::Point>& points,
-                                        const MarkedMixedFacet<Dim>& facet);
+                                        const MarkedMixedFacet<Dim>& facet,
+                                        CellKind cell = simplex_kind<Dim>);
 
 }  // namespace mesh
 }  // namespace leonhard

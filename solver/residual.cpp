@@ -22,11 +22,11 @@ double extent_of(const EulerProblem& problem) {
     low[0] = std::min(low[0], p.x), high[0] = std::max(high[0], p.x);
     low[1] = std::min(low[1], p.y), high[1] = std::max(high[1], p.y);
   };
-  for (const MarkedEdge& edge : problem.mesh.boundary)
+  for (const DualFacet<2>& edge : problem.dual.boundary)
     if (problem.boundary.at(edge.marker) == BoundaryKind::slip_wall)
-      include(problem.mesh.points[edge.from]), include(problem.mesh.points[edge.to]);
+      for (const VertexId v : edge.corners) include(problem.dual.points[v]);
   if (low[0] > high[0])
-    for (const Point2& p : problem.mesh.points.flat()) include(p);
+    for (const Point2& p : problem.dual.points) include(p);
   return std::max(high[0] - low[0], high[1] - low[1]);
 }
 
@@ -47,7 +47,7 @@ EulerResidual::EulerResidual(const EulerProblem& problem, const SpatialOptions& 
     : problem_(problem),
       options_(options),
       kernels_(kernels),
-      plan_(make_edge_plan(problem.mesh, options.part_of, options.parts)),
+      plan_(make_edge_plan(problem.dual, options.part_of, options.parts)),
       run_(options.threads),
       boundary_(make_boundary(problem)),
       follows_lift_(leonhard::solver::follows_lift(problem)),
@@ -99,7 +99,7 @@ void EulerResidual::add_boundary_fluxes(std::size_t part, const PerId<VertexId, 
       const std::size_t v = edge.end[end].index();
       if (plan_.part_of[v] != part) continue;
       for (std::size_t i = 0; i < 4; ++i)
-        residual[4 * v + i] += edge.half_length * (own_share * flux[end][i] + other_share * flux[1 - end][i]);
+        residual[4 * v + i] += edge.half_length * (edge.own_share * flux[end][i] + (1 - edge.own_share) * flux[1 - end][i]);
     }
   }
 }
@@ -142,8 +142,8 @@ void EulerResidual::jacobian(const PerId<VertexId, State>& state, std::vector<do
           add_boundary_jacobian(problem_.gas, options_.entropy_fix, edge, at, state[edge.end[at]],
                                 share * edge.half_length, blocks.data() + 16 * std::size_t{block});
         };
-        add(end, own_share, plan_.diagonal_block(v));
-        add(1 - end, other_share, plan_.neighbour_block(v, plan_.slot_to(v, other)));
+        add(end, edge.own_share, plan_.diagonal_block(v));
+        add(1 - end, 1 - edge.own_share, plan_.neighbour_block(v, plan_.slot_to(v, other)));
       }
     }
   });

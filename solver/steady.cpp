@@ -16,12 +16,12 @@ void require(bool good, const char* name, double value, const char* remedy) {
   if (!good) throw InputError(name, "is " + std::to_string(value), remedy);
 }
 
-void check_parts(const TriangleMesh& mesh, const SteadyOptions& o) {
+void check_parts(const MeshDual<2>& dual, const SteadyOptions& o) {
   if (o.part_of.empty()) return;
-  if (o.part_of.size() != mesh.vertex_count())
+  if (o.part_of.size() != dual.vertex_count())
     throw InputError("part_of",
                      "has " + std::to_string(o.part_of.size()) + " entries for " +
-                         std::to_string(mesh.vertex_count()) + " vertices",
+                         std::to_string(dual.vertex_count()) + " vertices",
                      "give one part a vertex, or none");
   const auto beyond =
       std::find_if(o.part_of.begin(), o.part_of.end(), [&](std::uint32_t part) { return part >= o.parts; });
@@ -49,12 +49,12 @@ void check_options(const EulerProblem& problem, const SteadyOptions& o) {
   require(o.max_iterations >= 0, "max_iterations", o.max_iterations,
           "give a number of iterations, or 0 for the default");
   require(o.threads >= 1, "threads", o.threads, "give at least one thread");
-  if (!o.initial.empty() && o.initial.size() != problem.mesh.vertex_count())
+  if (!o.initial.empty() && o.initial.size() != problem.dual.vertex_count())
     throw InputError("initial",
                      "has " + std::to_string(o.initial.size()) + " states for " +
-                         std::to_string(problem.mesh.vertex_count()) + " vertices",
+                         std::to_string(problem.dual.vertex_count()) + " vertices",
                      "give one state a vertex, or none");
-  check_parts(problem.mesh, o);
+  check_parts(problem.dual, o);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ SteadyResult solve_steady(const EulerProblem& problem, const SteadyOptions& opti
   else
     result.verdict = implicit ? march_implicit(march) : march_explicit(march);
   result.history = book.take_history();
-  result.words = describe(result.verdict, result.history, march.bad_vertex, problem.mesh);
+  result.words = describe(result.verdict, result.history, march.bad_vertex, problem.dual);
   if (result.verdict == Verdict::diverged) result.bad_vertex = march.bad_vertex;
   result.state = std::move(march.state);
   result.forces_by_marker = wall_forces(problem, result.state);

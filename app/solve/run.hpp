@@ -17,6 +17,7 @@
 #include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/euler.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
+#include "leonhard/mesh/mesh_dual.hpp"
 #include "leonhard/mesh/quality.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 #include "leonhard/solver/steady.hpp"
@@ -51,7 +52,8 @@ struct SolveRun {
   std::optional<DomainGeometry> geometry;            ///< none where the case names a mesh
   std::optional<delaunay::RefineReport> refinement;  ///< likewise
 
-  TriangleMesh mesh;  ///< in the numbering of the solver
+  TriangleMesh mesh;  ///< in the numbering of the solver; quadrilaterals of a file cut in two
+  std::optional<MeshDual<2>> dual;  ///< where the file has quadrilaterals, which the solver takes whole: likewise
   EdgeStructure edges;
   std::map<Marker, NamedCondition> conditions;
 

@@ -15,7 +15,9 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/exact_area.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/mixed_mesh_file.hpp"
 #include "leonhard/mesh/permute.hpp"
+#include "leonhard/mesh/split_cells.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -26,6 +28,36 @@ void mesh_the_domain(SolveRun& run, std::stop_token stop) {
   run.warnings = mesh_warnings(refined.report, run.the_case.mesher);
   run.mesh = std::move(refined.mesh);
   run.refinement = std::move(refined.report);
+}
+
+/// The ready mesh that the case names. Quadrilaterals stay whole for the solver, and are cut for all that looks at
+/// triangles. returns  what it consists of, in words
+std::string read_the_mesh(SolveRun& run) {
+  const std::filesystem::path& path = run.the_case.mesh_file;
+  const auto take_warnings = [&](const std::vector<std::string>& warnings) {
+    run.warnings.insert(run.warnings.end(), warnings.begin(), warnings.end());
+  };
+  if (path.extension() == ".node" || path.extension() == ".ele" || path.extension() == ".poly") {
+    MeshFile file = io::read_mesh(path);
+    take_warnings(file.warnings);
+    run.mesh = std::move(file.mesh);
+    return fmt::format("{} triangles", grouped(run.mesh.triangle_count()));
+  }
+  const MixedMeshFile<2> file = io::read_mixed_mesh<2>(path);
+  take_warnings(file.warnings);
+  const std::size_t quadrilaterals = file.mesh.count_of(CellKind::quadrilateral);
+  if (quadrilaterals == 0) {
+    run.mesh = mesh::simplex_mesh_of(file.mesh);
+    return fmt::format("{} triangles", grouped(run.mesh.triangle_count()));
+  }
+  run.mesh = mesh::split_cells(file.mesh).mesh;
+  run.dual = mesh::build_dual(file.mesh);
+  run.warnings.push_back(fmt::format("the solver takes the {} quadrilaterals whole; account, quality, partition, pictures "
+                                     "and field.vtu show them cut into triangles",
+                                     grouped(quadrilaterals)));
+  const std::string whole = grouped(quadrilaterals) + " quadrilaterals";
+  const std::size_t triangles = file.mesh.count_of(CellKind::triangle);
+  return triangles == 0 ? whole : fmt::format("{}, {} triangles", whole, grouped(triangles));
 }
 
 /// What the boundary conditions of the case mean on this mesh's markers.
@@ -46,7 +78,7 @@ AreaAccount area_account(const SolveRun& run) {
 
 EulerProblem problem_of(const SolveRun& run) {
   const Case& c = run.the_case;
-  EulerProblem problem{.mesh = run.mesh,
+  EulerProblem problem{.dual = run.dual ? *run.dual : mesh::build_dual(run.mesh),
                        .gas = {c.flow.gamma},
                        .free_stream = {c.flow.mach, c.flow.alpha_deg * std::numbers::pi / 180},
                        .boundary = {},
@@ -54,6 +86,7 @@ EulerProblem problem_of(const SolveRun& run) {
                        .vortex_correction = c.farfield.vortex_correction,
                        .vortex_centre = c.reference.moment_centre,
                        .outer_state = {}};
+  problem.dual.marker_names = run.mesh.marker_names;
   for (const auto& [marker, condition] : run.conditions)
     problem.boundary[marker] = condition.kind;
   return problem;
@@ -101,19 +134,17 @@ std::string step_geometry(SolveRun& run) {
 }
 
 std::string step_mesh(SolveRun& run, std::stop_token stop) {
-  std::string source;
+  std::string source, cells;
   if (run.geometry) {
     mesh_the_domain(run, stop);
     source = run.geometry->pslg.source;
+    cells = fmt::format("{} triangles", grouped(run.mesh.triangle_count()));
   } else {
-    MeshFile file = io::read_mesh(run.the_case.mesh_file);
-    run.warnings.insert(run.warnings.end(), file.warnings.begin(), file.warnings.end());
-    run.mesh = std::move(file.mesh);
+    cells = read_the_mesh(run);
     source = run.the_case.mesh_file.string();
   }
   match_markers(run, source);
-  return fmt::format("{} vertices, {} triangles", grouped(run.mesh.vertex_count()),
-                     grouped(run.mesh.triangle_count()));
+  return fmt::format("{} vertices, {}", grouped(run.mesh.vertex_count()), cells);
 }
 
 std::string step_account(SolveRun& run) {
@@ -147,6 +178,7 @@ std::string step_order(SolveRun& run) {
     renumbering[VertexId::from(old)] = VertexId::from(new_of_old[old]);
   }
   run.mesh = mesh::renumber_vertices(run.mesh, renumbering);
+  if (run.dual) run.dual = mesh::renumber_vertices(*run.dual, renumbering);
   run.edges = mesh::build_edges(run.mesh);
   return fmt::format("bandwidth {} to {}, fill {} to {}", grouped(run.numberings[0].cost.bandwidth),
                      grouped(run.numberings[1].cost.bandwidth), grouped(run.numberings[0].fill),

@@ -29,7 +29,7 @@ March::March(const EulerProblem& p, const SteadyOptions& o, ConvergenceMonitor& 
       stop(std::move(s)),
       spatial(p, spatial_options(o)),
       state(o.initial.empty()
-                ? PerId<VertexId, State>(p.mesh.vertex_count(), free_stream_state(p.gas, p.free_stream))
+                ? PerId<VertexId, State>(p.dual.vertex_count(), free_stream_state(p.gas, p.free_stream))
                 : o.initial) {}
 
 std::optional<Verdict> March::start() {

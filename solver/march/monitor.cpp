@@ -54,25 +54,25 @@ double distance_to_edge(Point2 p, Point2 a, Point2 b) {
   return distance(p, a + t * along);
 }
 
-std::optional<Marker> nearest_marker(const TriangleMesh& mesh, Point2 p) {
+std::optional<Marker> nearest_marker(const MeshDual<2>& dual, Point2 p) {
   std::optional<Marker> nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (const MarkedEdge& edge : mesh.boundary) {
-    const double d = distance_to_edge(p, mesh.points[edge.from], mesh.points[edge.to]);
+  for (const DualFacet<2>& edge : dual.boundary) {
+    const double d = distance_to_edge(p, dual.points[edge.corners[0]], dual.points[edge.corners[1]]);
     if (d < least) least = d, nearest = edge.marker;
   }
   return nearest;
 }
 
-std::string name_of(const TriangleMesh& mesh, Marker marker) {
-  const auto found = mesh.marker_names.find(marker);
-  return found == mesh.marker_names.end() ? "marker " + std::to_string(marker) : "\"" + found->second + "\"";
+std::string name_of(const MeshDual<2>& dual, Marker marker) {
+  const auto found = dual.marker_names.find(marker);
+  return found == dual.marker_names.end() ? "marker " + std::to_string(marker) : "\"" + found->second + "\"";
 }
 
-void describe_bad_vertex(std::ostream& out, const BadVertex& bad, const TriangleMesh& mesh) {
+void describe_bad_vertex(std::ostream& out, const BadVertex& bad, const MeshDual<2>& dual) {
   out << " at vertex " << bad.vertex.raw << " (" << bad.at.x << ", " << bad.at.y << "), rho " << bad.state.rho
       << ", u " << bad.state.u << ", v " << bad.state.v << ", p " << bad.state.p;
-  if (bad.nearest_marker) out << ", nearest boundary " << name_of(mesh, *bad.nearest_marker);
+  if (bad.nearest_marker) out << ", nearest boundary " << name_of(dual, *bad.nearest_marker);
 }
 
 }  // namespace
@@ -85,8 +85,8 @@ std::optional<BadVertex> find_bad_vertex(const EulerProblem& problem, const PerI
     return std::all_of(first, first + 4, [](double x) { return std::isfinite(x); });
   };
   const auto report = [&](VertexId v) {
-    const Point2 at = problem.mesh.points[v];
-    return BadVertex{v, at, state[v], nearest_marker(problem.mesh, at)};
+    const Point2 at = problem.dual.points[v];
+    return BadVertex{v, at, state[v], nearest_marker(problem.dual, at)};
   };
   for (const VertexId v : state.ids())
     if (!is_physical(state[v])) return report(v);
@@ -96,7 +96,7 @@ std::optional<BadVertex> find_bad_vertex(const EulerProblem& problem, const PerI
 }
 
 std::string describe(Verdict verdict, const std::vector<Iteration>& history,
-                     const std::optional<BadVertex>& bad, const TriangleMesh& mesh) {
+                     const std::optional<BadVertex>& bad, const MeshDual<2>& dual) {
   std::ostringstream out;
   out.precision(4);
   out << to_string(verdict);
@@ -114,7 +114,7 @@ std::string describe(Verdict verdict, const std::vector<Iteration>& history,
       break;
     case Verdict::diverged:
       if (!history.empty()) out << "; no time step was small enough";
-      if (bad) describe_bad_vertex(out, *bad, mesh);
+      if (bad) describe_bad_vertex(out, *bad, dual);
       break;
     case Verdict::converged:
     case Verdict::iteration_limit:

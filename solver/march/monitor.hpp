@@ -57,6 +57,6 @@ class ConvergenceMonitor {
 
 /// The verdict in a sentence with its figures.
 [[nodiscard]] std::string describe(Verdict verdict, const std::vector<Iteration>& history,
-                                   const std::optional<BadVertex>& bad, const TriangleMesh& mesh);
+                                   const std::optional<BadVertex>& bad, const MeshDual<2>& dual);
 
 }  // namespace leonhard::solver

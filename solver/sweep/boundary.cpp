@@ -45,12 +45,13 @@ State isentropic_state(Gas gas, FreeStream free, Vec2 extra) {
 std::vector<BoundaryEdge> make_boundary(const EulerProblem& problem) {
   const bool vortex = follows_lift(problem);
   std::vector<BoundaryEdge> edges;
-  edges.reserve(problem.mesh.boundary.size());
-  for (const MarkedEdge& marked : problem.mesh.boundary) {
+  edges.reserve(problem.dual.boundary.size());
+  for (const DualFacet<2>& facet : problem.dual.boundary) {
     BoundaryEdge edge;
-    edge.kind = problem.boundary.at(marked.marker);
-    edge.end[0] = marked.from, edge.end[1] = marked.to;
-    const Point2 at[2] = {problem.mesh.points[marked.from], problem.mesh.points[marked.to]};
+    edge.kind = problem.boundary.at(facet.marker);
+    edge.end[0] = facet.corners[0], edge.end[1] = facet.corners[1];
+    edge.own_share = facet.cell == CellKind::triangle ? 5.0 / 6.0 : 1.0;
+    const Point2 at[2] = {problem.dual.points[edge.end[0]], problem.dual.points[edge.end[1]]};
     const Vec2 along = at[1] - at[0];
     const double length = norm(along);
     edge.nx = along.y / length, edge.ny = -along.x / length, edge.half_length = 0.5 * length;

@@ -8,21 +8,21 @@
 
 namespace leonhard::solver {
 
-/// One boundary edge as the scheme sees it. Its half at each end carries the flux 5/6 of that end's plus 1/6 of the
-/// other's, which makes the scheme exact for linear fluxes on triangles (as the Galerkin method; H. Nishikawa,
-/// Journal of Computational Physics 281, 2015, section 4).
+/// One boundary edge as the scheme sees it. Its half at each end carries a share of that end's flux and the rest of the
+/// other's: before a triangle 5/6 and 1/6, which makes the scheme exact for linear fluxes (as the Galerkin method; H.
+/// Nishikawa, Journal of Computational Physics 281, 2015, section 4); before a quadrilateral all is the end's own, exact for
+/// linear fluxes on rectangles of any spacing.
 struct BoundaryEdge {
   VertexId end[2];
   BoundaryKind kind{};
   double nx{}, ny{};  ///< unit normal, outward
   double half_length{};
+  double own_share{};
   State outer[2];  ///< outside each end (far field, supersonic inflow)
   Vec2 vortex[2];  ///< velocity at each end per unit lift coefficient (far field)
 };
 
-inline constexpr double own_share = 5.0 / 6.0, other_share = 1.0 / 6.0;
-
-/// The boundary of a problem, one entry per mesh.boundary, outer states those of the free stream or of
+/// The boundary of a problem, one entry per dual.boundary, outer states those of the free stream or of
 /// problem.outer_state.
 [[nodiscard]] std::vector<BoundaryEdge> make_boundary(const EulerProblem& problem);
 

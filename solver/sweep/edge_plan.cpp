@@ -2,18 +2,17 @@
 #include "leonhard/solver/sweep/edge_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "leonhard/graph/partition.hpp"
-#include "leonhard/mesh/edges.hpp"
-#include "leonhard/mesh/median_dual.hpp"
 
 namespace leonhard::solver {
 namespace {
 
 constexpr std::size_t lanes = 4;
 
-void list_neighbours(const EdgeStructure& edges, EdgePlan& plan) {
+void list_neighbours(const EdgeList& edges, EdgePlan& plan) {
   plan.neighbours = collect_rows<std::uint32_t>(plan.vertex_count, [&](const auto& add) {
     for (const auto& [a, b] : edges.ends) {
       add(a.index(), static_cast<std::uint32_t>(b.index()));
@@ -30,12 +29,12 @@ void list_neighbours(const EdgeStructure& edges, EdgePlan& plan) {
 }
 
 /// Least-squares weights of one vertex: rows of the pseudo-inverse of the matrix of weighted edge vectors.
-void fit_gradient(const TriangleMesh& mesh, EdgePlan& plan, std::uint32_t v) {
-  const Point2 here = mesh.points[VertexId::from(v)];
+void fit_gradient(const MeshDual<2>& dual, EdgePlan& plan, std::uint32_t v) {
+  const Point2 here = dual.points[VertexId::from(v)];
   double xx = 0, xy = 0, yy = 0;
   const std::uint32_t first = plan.neighbours.offsets()[v], last = plan.neighbours.offsets()[v + 1];
   const auto edge_vector = [&](std::uint32_t i) {
-    return mesh.points[VertexId::from(plan.neighbours.links()[i])] - here;
+    return dual.points[VertexId::from(plan.neighbours.links()[i])] - here;
   };
   for (std::uint32_t i = first; i < last; ++i) {
     const Vec2 d = edge_vector(i);
@@ -54,10 +53,10 @@ void fit_gradient(const TriangleMesh& mesh, EdgePlan& plan, std::uint32_t v) {
   }
 }
 
-void choose_parts(const TriangleMesh& mesh, EdgePlan& plan) {
+void choose_parts(const MeshDual<2>& dual, EdgePlan& plan) {
   const auto count =
       static_cast<std::uint32_t>(std::max<std::size_t>(1, plan.vertex_count / EdgePlan::vertices_per_part));
-  plan.part_of = graph::recursive_coordinate_bisection(mesh.points.flat(), count).part_of;
+  plan.part_of = graph::recursive_coordinate_bisection(dual.points.flat(), count).part_of;
   plan.parts.assign(count, PartRange{});
 }
 
@@ -75,10 +74,9 @@ void deal_out_vertices(EdgePlan& plan) {
 }
 
 /// One part's list of edges, filled up to whole batches.
-class EdgeList {
+class PartEdges {
  public:
-  EdgeList(const TriangleMesh& mesh, const DualMetrics<2>& dual, EdgePlan& plan)
-      : mesh_(mesh), dual_(dual), plan_(plan) {}
+  PartEdges(const MeshDual<2>& dual, EdgePlan& plan) : dual_(dual), plan_(plan) {}
 
   void add(std::uint32_t part, EdgeId edge, VertexId from, VertexId to) {
     const auto a = static_cast<std::uint32_t>(from.index()), b = static_cast<std::uint32_t>(to.index());
@@ -94,7 +92,7 @@ class EdgeList {
       ends.block_bb = plan_.diagonal_block(b);
       ends.block_ba = plan_.neighbour_block(b, plan_.slot_to(b, a));
     }
-    const Vec2 normal = dual_.normal[edge], half = 0.5 * (mesh_.points[to] - mesh_.points[from]);
+    const Vec2 normal = dual_.face[edge], half = 0.5 * (dual_.points[to] - dual_.points[from]);
     const double length = norm(normal);
     push(ends, length > 0 ? (1 / length) * normal : Vec2{1, 0}, length, half);
   }
@@ -122,36 +120,35 @@ class EdgeList {
     m.half_y[lane] = half.y;
   }
 
-  const TriangleMesh& mesh_;
-  const DualMetrics<2>& dual_;
+  const MeshDual<2>& dual_;
   EdgePlan& plan_;
 };
 
-void list_edges(const TriangleMesh& mesh, const EdgeStructure& edges, const DualMetrics<2>& dual,
-                EdgePlan& plan) {
+void list_edges(const MeshDual<2>& dual, EdgePlan& plan) {
   const std::vector<std::uint32_t>& part_of = plan.part_of;
-  EdgeList list(mesh, dual, plan);
+  const PerId<EdgeId, std::array<VertexId, 2>>& edge_ends = dual.edges.ends;
+  PartEdges list(dual, plan);
   std::vector<std::vector<EdgeId>> of_part(plan.parts.size());
-  for (const EdgeId edge : edges.ends.ids()) {
-    const auto [a, b] = edges.ends[edge];
+  for (const EdgeId edge : edge_ends.ids()) {
+    const auto [a, b] = edge_ends[edge];
     of_part[part_of[a.index()]].push_back(edge);
     if (part_of[a.index()] != part_of[b.index()]) of_part[part_of[b.index()]].push_back(edge);
   }
   for (std::uint32_t part = 0; part < plan.parts.size(); ++part) {
     plan.parts[part].edge_begin = static_cast<std::uint32_t>(plan.ends.size());
-    for (const EdgeId edge : of_part[part]) list.add(part, edge, edges.ends[edge][0], edges.ends[edge][1]);
+    for (const EdgeId edge : of_part[part]) list.add(part, edge, edge_ends[edge][0], edge_ends[edge][1]);
     list.pad(part);
     plan.parts[part].edge_end = static_cast<std::uint32_t>(plan.ends.size());
   }
 }
 
-void list_boundary(const TriangleMesh& mesh, EdgePlan& plan) {
+void list_boundary(const MeshDual<2>& dual, EdgePlan& plan) {
   const std::vector<std::uint32_t>& part_of = plan.part_of;
   for (std::uint32_t part = 0; part < plan.parts.size(); ++part) {
     plan.parts[part].boundary_begin = static_cast<std::uint32_t>(plan.part_boundary.size());
-    for (std::uint32_t k = 0; k < mesh.boundary.size(); ++k) {
-      const MarkedEdge& edge = mesh.boundary[k];
-      if (part_of[edge.from.index()] == part || part_of[edge.to.index()] == part)
+    for (std::uint32_t k = 0; k < dual.boundary.size(); ++k) {
+      const MixedFacet<2>& edge = dual.boundary[k].corners;
+      if (part_of[edge[0].index()] == part || part_of[edge[1].index()] == part)
         plan.part_boundary.push_back(k);
     }
     plan.parts[part].boundary_end = static_cast<std::uint32_t>(plan.part_boundary.size());
@@ -175,25 +172,22 @@ SweepMesh EdgePlan::view() const {
           metric.data()};
 }
 
-EdgePlan make_edge_plan(const TriangleMesh& mesh, std::span<const std::uint32_t> part_of,
-                        std::uint32_t parts) {
-  const EdgeStructure edges = mesh::build_edges(mesh);
-  const DualMetrics<2> dual = mesh::median_dual(mesh, edges);
+EdgePlan make_edge_plan(const MeshDual<2>& dual, std::span<const std::uint32_t> part_of, std::uint32_t parts) {
   EdgePlan plan;
-  plan.vertex_count = mesh.vertex_count();
+  plan.vertex_count = dual.vertex_count();
   plan.area = dual.volume.flat();
-  list_neighbours(edges, plan);
+  list_neighbours(dual.edges, plan);
   plan.slot.resize(plan.neighbours.link_count());
-  for (std::uint32_t v = 0; v < plan.vertex_count; ++v) fit_gradient(mesh, plan, v);
+  for (std::uint32_t v = 0; v < plan.vertex_count; ++v) fit_gradient(dual, plan, v);
   if (part_of.empty()) {
-    choose_parts(mesh, plan);
+    choose_parts(dual, plan);
   } else {
     plan.part_of.assign(part_of.begin(), part_of.end());
     plan.parts.assign(parts, PartRange{});
   }
   deal_out_vertices(plan);
-  list_edges(mesh, edges, dual, plan);
-  list_boundary(mesh, plan);
+  list_edges(dual, plan);
+  list_boundary(dual, plan);
   return plan;
 }
 

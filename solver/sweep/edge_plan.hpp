@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "leonhard/mesh/compressed_rows.hpp"
-#include "leonhard/mesh/triangle_mesh.hpp"
+#include "leonhard/mesh/mesh_dual.hpp"
 #include "leonhard/solver/sweep/sweep.hpp"
 
 namespace leonhard::solver {
@@ -32,7 +32,7 @@ struct EdgePlan {
   std::vector<std::uint32_t> part_vertices;  ///< of part 0, part 1, ...; ascending in each
   std::vector<EdgeEnds> ends;                ///< padded to whole batches with edges of length 0
   std::vector<EdgeMetric> metric;            ///< one a batch
-  std::vector<std::uint32_t> part_boundary;  ///< entries of mesh.boundary that touch the part
+  std::vector<std::uint32_t> part_boundary;  ///< entries of dual.boundary that touch the part
 
   [[nodiscard]] SweepMesh view() const;
   /// Vertices plus one line of rubbish a part, for what an edge would add to a vertex of another part.
@@ -52,9 +52,9 @@ struct EdgePlan {
 /// (Barth's notes 4.2; exact for linear functions); a vertex whose neighbours lie on one line gets the gradient along it.
 ///
 /// part_of  one a vertex, each below `parts` (a part may be empty); an empty list: parts of the plan's own making
-/// throws  InputError where the mesh is not one (see mesh::build_edges)
+/// dual     checked (check_problem)
 /// Cost O(vertices log parts).
-[[nodiscard]] EdgePlan make_edge_plan(const TriangleMesh& mesh, std::span<const std::uint32_t> part_of = {},
+[[nodiscard]] EdgePlan make_edge_plan(const MeshDual<2>& dual, std::span<const std::uint32_t> part_of = {},
                                       std::uint32_t parts = 0);
 
 }  // namespace leonhard::solver

@@ -618,7 +618,7 @@ void try_draw() {
 #if defined(OUTSIDE_HAS_SOLVER)
 void try_solver() {
   const TriangleMesh mesh = good_mesh();
-  EulerProblem problem{mesh, {}, {}, {{1, BoundaryKind::far_field}}, {}, true, {}, {}};
+  EulerProblem problem{mesh::build_dual(mesh), {}, {}, {{1, BoundaryKind::far_field}}, {}, true, {}, {}};
   const auto solve_with = [&](auto change) {
     return [&, change] {
       EulerProblem changed = problem;

@@ -15,7 +15,7 @@ Point2 circle(double turn) {
 }
 
 EulerProblem about(const TriangleMesh& mesh, double alpha_rad) {
-  return {mesh,
+  return {mesh::build_dual(mesh),
           {},
           {0.5, alpha_rad},
           {{test::south, BoundaryKind::slip_wall}, {test::north, BoundaryKind::far_field}},
@@ -85,7 +85,7 @@ TEST_CASE("surface_lines_run_once_around_a_body_from_the_trailing_edge") {
 
 TEST_CASE("surface_lines_of_an_open_wall_keep_both_ends") {
   const TriangleMesh mesh = test::mapped_grid(8, 4, false, [](double s, double t) { return Point2{s, t}; });
-  EulerProblem problem{mesh, {}, {2, 0}, {}, {}, true, {}, {}};
+  EulerProblem problem{mesh::build_dual(mesh), {}, {2, 0}, {}, {}, true, {}, {}};
   problem.boundary = {{test::south, BoundaryKind::slip_wall},
                       {test::east, BoundaryKind::supersonic_outflow},
                       {test::north, BoundaryKind::symmetry},

@@ -25,7 +25,7 @@ std::vector<double> gradients(const EdgePlan& plan, const PerId<VertexId, State>
 
 TEST_CASE("least_squares_gradients_are_exact_for_linear_functions") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 3);
-  const EdgePlan plan = solver::make_edge_plan(mesh);
+  const EdgePlan plan = solver::make_edge_plan(mesh::build_dual(mesh));
   PerId<VertexId, State> state;
   for (const Point2 p : mesh.points) state.push_back({2 + 2 * p.x - p.y, 3 * p.y, -p.x + 0.5 * p.y, 7 - p.x});
   const auto g = gradients(plan, state, LimiterKind::none);
@@ -39,7 +39,7 @@ TEST_CASE("least_squares_gradients_are_exact_for_linear_functions") {
 
 TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_the_neighbours") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 4);
-  const EdgePlan plan = solver::make_edge_plan(mesh);
+  const EdgePlan plan = solver::make_edge_plan(mesh::build_dual(mesh));
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(0.5, 1.5);
   PerId<VertexId, State> state;
@@ -70,7 +70,7 @@ TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_th
 
 TEST_CASE("near_vacuum_density_and_pressure_stay_positive_at_edge_midpoints_whatever_the_limiter") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 4);
-  const EdgePlan plan = solver::make_edge_plan(mesh);
+  const EdgePlan plan = solver::make_edge_plan(mesh::build_dual(mesh));
   std::mt19937 random(6);
   std::uniform_real_distribution<double> decades(-6, 1);
   PerId<VertexId, State> state;
@@ -89,7 +89,7 @@ TEST_CASE("near_vacuum_density_and_pressure_stay_positive_at_edge_midpoints_what
 
 TEST_CASE("limiters_leave_linear_functions_alone_inside") {
   const TriangleMesh mesh = test::mapped_grid(10, 10, false, [](double s, double t) { return Point2{s, t}; });
-  const EdgePlan plan = solver::make_edge_plan(mesh);
+  const EdgePlan plan = solver::make_edge_plan(mesh::build_dual(mesh));
   PerId<VertexId, State> state;
   for (const Point2 p : mesh.points) state.push_back({1 + p.x, p.y, p.x + p.y, 2 - p.x});
   for (const auto limiter : {LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen}) {

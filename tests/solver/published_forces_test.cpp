@@ -19,7 +19,7 @@ using namespace leonhard;
 SteadyResult solve_about_naca0012(double mach, LimiterKind limiter) {
   test::start_petsc();
   const TriangleMesh mesh = test::o_mesh(160, 56, 60, 0.006, test::naca0012);
-  const EulerProblem problem{mesh,
+  const EulerProblem problem{mesh::build_dual(mesh),
                              {},
                              {mach, 1.25 * std::numbers::pi / 180},
                              {{test::south, BoundaryKind::slip_wall}, {test::north, BoundaryKind::far_field}},

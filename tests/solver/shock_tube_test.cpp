@@ -106,7 +106,7 @@ Conserved totals(const solver::EdgePlan& plan, const PerId<VertexId, State>& sta
 Tube run_tube(std::size_t cells, int order, FluxKind flux = FluxKind::roe, const Gases& gases = sod) {
   const double height = 2.0 / static_cast<double>(cells);
   Tube tube{test::mapped_grid(cells, 2, false, [&](double s, double t) { return Point2{s, height * t}; }), {}, {}, {}};
-  EulerProblem problem{tube.mesh, {gamma}, {0.5, 0}, {}, {}, false, {}, {}};
+  EulerProblem problem{mesh::build_dual(tube.mesh), {gamma}, {0.5, 0}, {}, {}, false, {}, {}};
   for (const Marker side : {test::south, test::east, test::north, test::west})
     problem.boundary[side] = side == test::east || side == test::west ? gases.ends : BoundaryKind::slip_wall;
   solver::SpatialOptions options;

@@ -19,7 +19,7 @@ Point2 ramp(double s, double t) {
 }
 
 EulerProblem ramp_problem(const TriangleMesh& mesh) {
-  EulerProblem problem{mesh, {}, {2, 0}, {}, {}, true, {}, {}};
+  EulerProblem problem{mesh::build_dual(mesh), {}, {2, 0}, {}, {}, true, {}, {}};
   problem.boundary = {{test::south, BoundaryKind::slip_wall},
                       {test::east, BoundaryKind::supersonic_outflow},
                       {test::north, BoundaryKind::supersonic_outflow},
@@ -28,7 +28,7 @@ EulerProblem ramp_problem(const TriangleMesh& mesh) {
 }
 
 EulerProblem airfoil_problem(const TriangleMesh& mesh, double mach, double alpha_deg) {
-  return {mesh,
+  return {mesh::build_dual(mesh),
           {},
           {mach, alpha_deg * std::numbers::pi / 180},
           {{test::south, BoundaryKind::slip_wall}, {test::north, BoundaryKind::far_field}},
@@ -67,7 +67,7 @@ double vortex_error(std::size_t cells) {
     const double r = 1 + 0.384 * t, angle = 0.5 * std::numbers::pi * (1 - s);
     return Point2{r * std::cos(angle), r * std::sin(angle)};
   });
-  EulerProblem problem{mesh, {}, {2.25, 0}, {}, {}, false, {}, vortex_state};
+  EulerProblem problem{mesh::build_dual(mesh), {}, {2.25, 0}, {}, {}, false, {}, vortex_state};
   problem.boundary = {{test::south, BoundaryKind::slip_wall},
                       {test::east, BoundaryKind::supersonic_outflow},
                       {test::north, BoundaryKind::slip_wall},

@@ -16,7 +16,7 @@ namespace {
 using namespace leonhard;
 
 EulerProblem square_problem(const TriangleMesh& mesh) {
-  return {mesh,
+  return {mesh::build_dual(mesh),
           {},
           {0.5, 0},
           {{test::south, BoundaryKind::slip_wall},
@@ -30,7 +30,7 @@ EulerProblem square_problem(const TriangleMesh& mesh) {
 }
 
 EulerProblem airfoil_problem(const TriangleMesh& mesh) {
-  return {mesh,        {},
+  return {mesh::build_dual(mesh),        {},
           {0.8, 0.02}, {{test::south, BoundaryKind::slip_wall}, {test::north, BoundaryKind::far_field}},
           {},          true,
           {0.25, 0},   {}};

@@ -16,7 +16,7 @@ int main() {
     return Point2{x, floor + t * (1 - floor)};
   });
   const PetscSession petsc;
-  const EulerProblem problem{.mesh = mesh,
+  const EulerProblem problem{.dual = mesh::build_dual(mesh),
                              .free_stream = {.mach = 2},
                              .boundary = {{1, BoundaryKind::slip_wall},
                                           {2, BoundaryKind::supersonic_outflow},
