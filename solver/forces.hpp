@@ -37,7 +37,7 @@ namespace solver {
 /// The pressure force on every slip wall, by marker and in sum. The wall flux of the scheme weights the
 /// pressures of an edge's ends (5/6, 1/6) and (1/6, 5/6) on its two halves; summed over the edge that is the
 /// mean pressure times the edge's normal, which is what is added here: the forces are those the scheme's
-/// momentum balance sees. Cost O(boundary edges), in the order of mesh.boundary, whatever the thread count.
+/// momentum balance sees. Cost O(boundary edges), in the order of dual.boundary, whatever the thread count.
 [[nodiscard]] std::map<Marker, Forces> wall_forces(const EulerProblem& problem,
                                                    const PerId<VertexId, State>& state);
 

@@ -34,7 +34,8 @@ struct SteadyOptions {
   /// may be empty). Empty: parts of the solver's own making. The result is the same to the bit for any parts.
   std::vector<std::uint32_t> part_of{};
   std::uint32_t parts = 0;
-  /// Start from here in place of the free stream; one state a vertex, or empty.
+  /// Start from here in place of the free stream; one state a vertex, or empty. The implicit march leaves out its
+  /// first-order start-up then.
   PerId<VertexId, State> initial{};
 };
 

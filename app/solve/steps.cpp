@@ -14,6 +14,7 @@
 #include "leonhard/graph/mesh_graph.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/exact_area.hpp"
+#include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/io/mixed_mesh_file.hpp"
 #include "leonhard/mesh/permute.hpp"
@@ -37,7 +38,11 @@ std::string read_the_mesh(SolveRun& run) {
   const auto take_warnings = [&](const std::vector<std::string>& warnings) {
     run.warnings.insert(run.warnings.end(), warnings.begin(), warnings.end());
   };
-  if (path.extension() == ".node" || path.extension() == ".ele" || path.extension() == ".poly") {
+  const std::vector<std::string>& mixed = io::mixed_mesh_extensions();
+  std::vector<std::string> known = io::mesh_extensions();
+  known.push_back(".p2dfmt");
+  const std::string extension = io::known_extension(path, known, "mesh");
+  if (extension != ".p2dfmt" && std::find(mixed.begin(), mixed.end(), extension) == mixed.end()) {
     MeshFile file = io::read_mesh(path);
     take_warnings(file.warnings);
     run.mesh = std::move(file.mesh);
