@@ -41,10 +41,10 @@ double least_seconds(int repeats, Work&& work) {
   return least;
 }
 
-void time_residual(const EulerProblem& problem) {
-  solver::EulerResidual residual(problem, {});
-  const PerId<VertexId, State> state(problem.dual.vertex_count(),
-                                     solver::free_stream_state(problem.gas, problem.free_stream));
+void time_residual(const FlowProblem<2>& problem) {
+  solver::FlowResidual<2> residual(problem, {});
+  const PerId<VertexId, State<2>> state(problem.dual.vertex_count(),
+                                     solver::free_stream_state<2>(problem.gas, problem.free_stream));
   std::vector<double> out, blocks;
   const double scale = 1e6 / static_cast<double>(problem.dual.vertex_count());
   std::cout << "inner loops: " << residual.kernels().name << "\n";
@@ -54,11 +54,11 @@ void time_residual(const EulerProblem& problem) {
             << scale * least_seconds(50, [&] { residual.jacobian(state, blocks); }) << " us a vertex\n";
 }
 
-void time_explicit(const EulerProblem& problem) {
+void time_explicit(const FlowProblem<2>& problem) {
   SteadyOptions options;
   options.marching = Marching::explicit_multistage;
   options.max_iterations = 400;
-  const SteadyResult result = solver::solve_steady(problem, options);
+  const SteadyResult<2> result = solver::solve_steady(problem, options);
   double least = 1e300;
   for (std::size_t i = 1; i < result.history.size(); ++i)
     least = std::min(least, result.history[i].seconds - result.history[i - 1].seconds);
@@ -67,11 +67,11 @@ void time_explicit(const EulerProblem& problem) {
             << result.words << ")\n";
 }
 
-void time_implicit(const EulerProblem& problem) {
+void time_implicit(const FlowProblem<2>& problem) {
   SteadyOptions options;
   options.residual_drop_orders = 10;
   for (int run = 0; run < 3; ++run) {
-    const SteadyResult result = solver::solve_steady(problem, options);
+    const SteadyResult<2> result = solver::solve_steady(problem, options);
     int linear = 0;
     for (const Iteration& i : result.history) linear += i.linear_iterations;
     std::cout << "implicit: " << result.words << ", " << linear << " linear iterations, "
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   try {
     const PetscSession petsc;
     const TriangleMesh mesh = reordered(io::read_mesh(argv[1]).mesh);
-    EulerProblem problem{mesh::build_dual(mesh), {}, {argc == 4 ? std::atof(argv[2]) : 0.8, 0}, {}, {}, true, {0.25, 0}, {}};
+    FlowProblem<2> problem{mesh::build_dual(mesh), {}, {argc == 4 ? std::atof(argv[2]) : 0.8, 0}, {}, {}, true, {0.25, 0}, {}};
     problem.free_stream.alpha_rad = (argc == 4 ? std::atof(argv[3]) : 1.25) * std::numbers::pi / 180;
     for (const auto& [marker, name] : mesh.marker_names)
       problem.boundary[marker] =

@@ -10,9 +10,12 @@ namespace leonhard {
 /// What happens at a part of the boundary.
 enum class BoundaryKind {
   slip_wall,           ///< no flow through it; forces are summed over it
+  no_slip_wall,        ///< the gas moves with the wall, through which no heat goes or which has a temperature; viscous flow only
   far_field,           ///< Roe flux against the free stream: in and out by characteristics
   supersonic_inflow,   ///< everything is prescribed
   supersonic_outflow,  ///< everything is taken from inside
+  subsonic_inflow,     ///< total pressure, total temperature and direction are prescribed
+  pressure_outflow,    ///< static pressure is prescribed where the flow out is subsonic
   symmetry,            ///< as a slip wall, without forces
 };
 
@@ -38,17 +41,28 @@ enum class Marching {
   explicit_multistage,  ///< three-stage Runge-Kutta with local time steps
 };
 
+/// Whether forces are summed over it.
+[[nodiscard]] constexpr bool is_wall(BoundaryKind kind) {
+  return kind == BoundaryKind::slip_wall || kind == BoundaryKind::no_slip_wall;
+}
+
 /// The words of reports, e.g. "slip_wall".
 [[nodiscard]] constexpr std::string_view to_string(BoundaryKind kind) {
   switch (kind) {
     case BoundaryKind::slip_wall:
       return "slip_wall";
+    case BoundaryKind::no_slip_wall:
+      return "no_slip_wall";
     case BoundaryKind::far_field:
       return "far_field";
     case BoundaryKind::supersonic_inflow:
       return "supersonic_inflow";
     case BoundaryKind::supersonic_outflow:
       return "supersonic_outflow";
+    case BoundaryKind::subsonic_inflow:
+      return "subsonic_inflow";
+    case BoundaryKind::pressure_outflow:
+      return "pressure_outflow";
     case BoundaryKind::symmetry:
       return "symmetry";
   }

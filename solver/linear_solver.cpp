@@ -156,25 +156,27 @@ void check_pattern(const BlockPattern& pattern) {
 
 }  // namespace
 
-BlockSystem::BlockSystem(const BlockPattern& pattern)
+BlockSystem::BlockSystem(const BlockPattern& pattern, int block_rows)
     : petsc_(std::make_unique<Petsc>()) {
   if (!petsc_runs()) throw std::logic_error("BlockSystem: make a PetscSession first");
   check_pattern(pattern);
+  if (block_rows < 1) throw InputError("block", "has " + std::to_string(block_rows) + " rows", "give at least one");
+  const PetscInt width = block_rows;
   Petsc& self = *petsc_;
-  self.block_numbers = 16 * pattern.link_count();
-  const auto rows = static_cast<PetscInt>(pattern.size()), size = 4 * rows;
+  self.block_numbers = static_cast<std::size_t>(width) * static_cast<std::size_t>(width) * pattern.link_count();
+  const auto rows = static_cast<PetscInt>(pattern.size()), size = width * rows;
   self.size = static_cast<std::size_t>(size);
   check(MatCreate(PETSC_COMM_SELF, &self.matrix), "MatCreate");
   check(MatSetSizes(self.matrix, size, size, size, size), "MatSetSizes");
   check(MatSetType(self.matrix, MATSEQBAIJ), "MatSetType");
-  check(MatSeqBAIJSetPreallocationCSR(self.matrix, 4, pattern.offsets().data(), pattern.links().data(), nullptr),
+  check(MatSeqBAIJSetPreallocationCSR(self.matrix, width, pattern.offsets().data(), pattern.links().data(), nullptr),
         "MatSeqBAIJSetPreallocationCSR");
   check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, petsc_.get(), &self.shell), "MatCreateShell");
   check(
       MatShellSetOperation(self.shell, MATOP_MULT, reinterpret_cast<void (*)()>(&Petsc::Callbacks::multiply)),
       "MatShellSetOperation");
-  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 4, size, nullptr, &self.x), "VecCreate");
-  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 4, size, nullptr, &self.b), "VecCreate");
+  check(VecCreateSeqWithArray(PETSC_COMM_SELF, width, size, nullptr, &self.x), "VecCreate");
+  check(VecCreateSeqWithArray(PETSC_COMM_SELF, width, size, nullptr, &self.b), "VecCreate");
   check(KSPCreate(PETSC_COMM_SELF, &self.ksp), "KSPCreate");
   PC pc = nullptr;
   check(KSPGetPC(self.ksp, &pc), "KSPGetPC");

@@ -59,25 +59,26 @@ struct LinearOptions {
   int max_iterations = 30;  ///< also GMRES's restart length
 };
 
-/// y = A x for vectors of 4 numbers a row.
+/// y = A x for vectors of as many numbers a row as a block has rows.
 using LinearOperator = std::function<void(std::span<const double> x, std::span<double> y)>;
 
 /// The columns of each row's blocks; numbers as PETSc has them.
 using BlockPattern = CompressedRows<std::int32_t, std::int32_t>;
 
-/// A sparse matrix of 4 x 4 blocks, its incomplete factors and GMRES; hides PETSc. One process; the distributed one
+/// A sparse matrix of square blocks, its incomplete factors and GMRES; hides PETSc. One process; the distributed one
 /// will be another class with this interface.
 class BlockSystem {
  public:
   /// pattern  of the blocks, copied: columns ascending in each row, every row with its diagonal
+  /// rows     of a block, >= 1
   /// throws   std::logic_error without a PetscSession, InputError naming the row that is not so
-  explicit BlockSystem(const BlockPattern& pattern);
+  explicit BlockSystem(const BlockPattern& pattern, int rows = 4);
   ~BlockSystem();
   BlockSystem(BlockSystem&&) noexcept;
   BlockSystem& operator=(BlockSystem&&) noexcept;
 
   /// Set the matrix and its incomplete factors ILU(1) (one level of fill) in the rows' own order.
-  /// blocks   16 numbers a block of the pattern, column by column; may be longer, InputError if it is shorter
+  /// blocks   rows^2 numbers a block of the pattern, column by column; may be longer, InputError if it is shorter
   /// returns  false where a pivot block is singular or a number is not finite; other blocks may be given then
   [[nodiscard]] bool factor(std::span<const double> blocks);
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "leonhard/mesh/mesh_dual.hpp"
 #include "leonhard/solver/gas.hpp"
@@ -10,26 +11,58 @@
 
 namespace leonhard {
 
-/// What coefficients refer to: length is also the reference area per unit span.
+/// What coefficients refer to.
+template <int dim>
 struct Reference {
-  double length = 1;              ///< > 0, in the mesh's unit
-  Point2 moment_centre{0.25, 0};  ///< positive moment: nose up
+  using Point = typename Simplex<dim>::Point;
+  double length = 1;                                          ///< > 0, in the mesh's unit
+  double area = 1;                                            ///< > 0, in its square; space only, in the plane it is length
+  Point moment_centre{0.25};  ///< positive moment: nose up
 };
 
-/// The Euler equations about something.
-struct EulerProblem {
-  MeshDual<2> dual;  ///< mesh::build_dual of triangles, or of triangles and quadrilaterals
+/// What happens at the boundary facets of one marker; made of a kind alone where that says all.
+template <int dim>
+struct BoundaryCondition {
+  using Vector = typename Simplex<dim>::Vector;
+  BoundaryCondition() = default;
+  BoundaryCondition(BoundaryKind k) : kind(k) {}  // NOLINT(google-explicit-constructor): a kind is a condition
+
+  BoundaryKind kind = BoundaryKind::slip_wall;
+  /// subsonic_inflow: over the total pressure and total temperature of the free stream.
+  double total_pressure = 1, total_temperature = 1;
+  std::optional<Vector> direction{};  ///< subsonic_inflow: of any length, into the mesh; none: normal to the boundary
+  double pressure = 1;                ///< pressure_outflow: over that of the free stream
+  /// no_slip_wall: over the free stream's temperature; none: adiabatic.
+  std::optional<double> temperature{};
+  Vector wall_velocity{};  ///< no_slip_wall: in units of the free stream's speed of sound, along the wall
+
+  friend bool operator==(const BoundaryCondition&, const BoundaryCondition&) = default;
+};
+
+/// The Euler equations about something in the plane or in space, or with a viscosity the Navier-Stokes equations.
+template <int dim>
+struct FlowProblem {
+  using Point = typename Simplex<dim>::Point;
+
+  MeshDual<dim> dual;  ///< mesh::build_dual of any cells
   Gas gas{};
   FreeStream free_stream{};
-  std::map<Marker, BoundaryKind> boundary{};  ///< one entry for each marker on dual.boundary, no other
-  Reference reference{};
-  /// Far-field states are those of a compressible point vortex whose circulation is that of the current lift
+  std::map<Marker, BoundaryCondition<dim>> boundary{};  ///< one entry for each marker on dual.boundary, no other
+  Reference<dim> reference{};
+  /// Plane only: far-field states are those of a compressible point vortex whose circulation is that of the current lift
   /// (Thomas and Salas, AIAA Journal 24(7), 1986); ignored where the free stream is supersonic.
   bool vortex_correction = true;
   Point2 vortex_centre{0.25, 0};
   /// When set, replaces the free stream on far_field and supersonic_inflow (exact solutions, inflow
   /// profiles).
-  std::function<State(Point2)> outer_state{};
+  std::function<State<dim>(Point)> outer_state{};
+  std::optional<Viscosity> viscosity{};  ///< none: inviscid
+  /// When set, what is added to each unit of volume in a unit of time at a point: conservative variables (manufactured
+  /// solutions, body forces).
+  std::function<std::array<double, dim + 2>(Point)> source{};
+  /// Start from here in place of the free stream; one state a vertex, or empty. The implicit march leaves out its
+  /// first-order start-up then.
+  PerId<VertexId, State<dim>> initial{};
 };
 
 namespace solver {
@@ -37,8 +70,10 @@ namespace solver {
 /// Check a problem before any work.
 /// throws  InputError naming the marker, value or vertex: an id out of range or an array of the wrong size, a control
 ///         volume that is not positive, a marker on the boundary without a condition, a condition whose marker is
-///         nowhere, Mach <= 0 or not finite, gamma <= 1, a reference length <= 0, an empty mesh
-void check_problem(const EulerProblem& problem);
+///         nowhere, whose values are out of range or that needs a viscosity there is not, Mach <= 0 or not finite,
+///         gamma <= 1, a reference length or area <= 0, a Reynolds or Prandtl number <= 0, an empty mesh
+template <int dim>
+void check_problem(const FlowProblem<dim>& problem);
 
 }  // namespace solver
 }  // namespace leonhard

@@ -5,153 +5,220 @@
 #include <cmath>
 #include <limits>
 
-#include "leonhard/solver/forces.hpp"
+#include "leonhard/solver/support/axes.hpp"
 
 namespace leonhard::solver {
 namespace {
 
-static_assert(sizeof(State) == 4 * sizeof(double));
-const double* numbers(const PerId<VertexId, State>& state) { return &state.flat().front().rho; }
+static_assert(sizeof(State<2>) == 4 * sizeof(double) && sizeof(State<3>) == 5 * sizeof(double));
 
-/// The larger extent of the slip walls, or of the mesh where there are none: what a variation's length is measured by,
-/// so that the answer does not depend on the unit of the coordinates.
-double extent_of(const EulerProblem& problem) {
-  double low[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  double high[2] = {-low[0], -low[1]};
-  const auto include = [&](Point2 p) {
-    low[0] = std::min(low[0], p.x), high[0] = std::max(high[0], p.x);
-    low[1] = std::min(low[1], p.y), high[1] = std::max(high[1], p.y);
-  };
-  for (const DualFacet<2>& edge : problem.dual.boundary)
-    if (problem.boundary.at(edge.marker) == BoundaryKind::slip_wall)
-      for (const VertexId v : edge.corners) include(problem.dual.points[v]);
-  if (low[0] > high[0])
-    for (const Point2& p : problem.dual.points) include(p);
-  return std::max(high[0] - low[0], high[1] - low[1]);
+template <int dim>
+const double* numbers(const PerId<VertexId, State<dim>>& state) {
+  return &state.flat().front().rho;
 }
 
-std::vector<double> limiter_scales(const EulerProblem& problem, double k, const std::vector<double>& area) {
+/// The greatest extent of the walls, or of the mesh where there are none: what a variation's length is measured by,
+/// so that the answer does not depend on the unit of the coordinates.
+template <int dim>
+double extent_of(const FlowProblem<dim>& problem) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Axes<dim> low, high;
+  low.fill(infinity), high.fill(-infinity);
+  const auto include = [&](const auto& point) {
+    const Axes<dim> p = axes(point);
+    for (std::size_t i = 0; i < dim; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
+  };
+  for (const DualFacet<dim>& facet : problem.dual.boundary)
+    if (is_wall(problem.boundary.at(facet.marker).kind))
+      for (const VertexId v : facet.corners) include(problem.dual.points[v]);
+  if (low[0] > high[0])
+    for (const auto& p : problem.dual.points) include(p);
+  double extent = 0;
+  for (std::size_t i = 0; i < dim; ++i) extent = std::max(extent, high[i] - low[i]);
+  return extent;
+}
+
+template <int dim>
+std::vector<double> limiter_scales(const FlowProblem<dim>& problem, double k, const std::vector<double>& volume) {
   const double extent = extent_of(problem);
-  std::vector<double> scale2(area.size());
-  for (std::size_t v = 0; v < area.size(); ++v) {
-    const double h = k * std::sqrt(area[v]) / extent;
+  std::vector<double> scale2(volume.size());
+  for (std::size_t v = 0; v < volume.size(); ++v) {
+    const double h = k * (dim == 2 ? std::sqrt(volume[v]) : std::cbrt(volume[v])) / extent;
     scale2[v] = std::max(h * h * h, 1e-30);
   }
   return scale2;
 }
 
+template <int dim>
+std::vector<double> sources(const FlowProblem<dim>& problem) {
+  std::vector<double> values;
+  if (!problem.source) return values;
+  for (const VertexId v : problem.dual.points.ids())
+    for (const double s : problem.source(problem.dual.points[v])) values.push_back(s * problem.dual.volume[v]);
+  return values;
+}
+
+template <int dim>
+SweepSettings settings_of(const FlowProblem<dim>& problem, const SpatialOptions& options, const double* limiter_scale2) {
+  SweepSettings settings{.gamma = problem.gas.gamma,
+                         .entropy_fix = options.entropy_fix,
+                         .mach = problem.free_stream.mach,
+                         .flux = options.flux,
+                         .limiter = options.limiter,
+                         .limiter_scale2 = limiter_scale2};
+  if (const auto& viscosity = problem.viscosity) {
+    settings.viscosity = viscosity_at(*viscosity, problem.free_stream, problem.reference.length, 1.0);
+    settings.sutherland = viscosity->sutherland;
+    settings.inverse_prandtl = 1 / viscosity->prandtl;
+  }
+  return settings;
+}
+
 }  // namespace
 
-EulerResidual::EulerResidual(const EulerProblem& problem, const SpatialOptions& options,
-                             const SweepKernels& kernels)
+template <int dim>
+FlowResidual<dim>::FlowResidual(const FlowProblem<dim>& problem, const SpatialOptions& options,
+                                const SweepKernels<dim>& kernels)
     : problem_(problem),
       options_(options),
       kernels_(kernels),
-      plan_(make_edge_plan(problem.dual, options.part_of, options.parts)),
+      plan_(make_edge_plan<dim>(problem.dual, options.part_of, options.parts)),
       run_(options.threads),
       boundary_(make_boundary(problem)),
+      walls_(problem, plan_),
+      reactions_(walls_.vertices().size()),
       follows_lift_(leonhard::solver::follows_lift(problem)),
-      limiter_scale2_(limiter_scales(problem, options.venkatakrishnan_k, plan_.area)),
-      gradient_(options.order == 2 ? 8 * plan_.vertex_count : 0),
-      settings_{problem.gas.gamma, options.entropy_fix, problem.free_stream.mach,
-                options.flux,      options.limiter,     limiter_scale2_.data()} {}
+      limiter_scale2_(limiter_scales(problem, options.venkatakrishnan_k, plan_.volume)),
+      gradient_(options.order == 2 ? dim * n * plan_.vertex_count : 0),
+      unlimited_(options.order == 2 && problem.viscosity ? gradient_.size() : 0),
+      source_(sources(problem)),
+      settings_(settings_of(problem, options, limiter_scale2_.data())) {}
 
-void EulerResidual::follow_lift(const PerId<VertexId, State>& state) {
-  if (follows_lift_) set_far_field_lift(problem_, total(wall_forces(problem_, state)).cl, boundary_);
+template <int dim>
+void FlowResidual<dim>::follow_lift(const States& state) {
+  if (follows_lift_) set_far_field_lift<dim>(problem_, total(wall_forces(problem_, state)).cl, boundary_);
 }
 
-void EulerResidual::evaluate(const PerId<VertexId, State>& state, std::vector<double>& residual) {
+template <int dim>
+void FlowResidual<dim>::evaluate(const States& state, std::vector<double>& residual) {
   if (options_.order == 1) return evaluate_first_order(state, residual);
-  const SweepMesh mesh = plan_.view();
+  const SweepMesh<dim> mesh = plan_.view();
+  double* unlimited = viscous() ? unlimited_.data() : nullptr;
   run_(plan_.parts.size(), [&](std::size_t part) {
-    kernels_.limited_gradients(mesh, plan_.parts[part], settings_, numbers(state), gradient_.data());
+    kernels_.limited_gradients(mesh, plan_.parts[part], settings_, numbers(state), gradient_.data(), unlimited);
   });
-  evaluate_with(gradient_.data(), state, residual);
+  evaluate_with(gradient_.data(), unlimited, state, residual);
 }
 
-void EulerResidual::evaluate_first_order(const PerId<VertexId, State>& state, std::vector<double>& residual) {
-  evaluate_with(nullptr, state, residual);
+template <int dim>
+void FlowResidual<dim>::evaluate_first_order(const States& state, std::vector<double>& residual) {
+  evaluate_with(nullptr, nullptr, state, residual);
 }
 
-void EulerResidual::evaluate_with(const double* gradient, const PerId<VertexId, State>& state,
-                                  std::vector<double>& residual) {
+template <int dim>
+void FlowResidual<dim>::evaluate_with(const double* gradient, const double* unlimited, const States& state,
+                                      std::vector<double>& residual) {
   follow_lift(state);
-  residual.resize(4 * plan_.padded_count());
-  const SweepMesh mesh = plan_.view();
+  residual.resize(n * plan_.padded_count());
+  const SweepMesh<dim> mesh = plan_.view();
   run_(plan_.parts.size(), [&](std::size_t part) {
     const PartRange& range = plan_.parts[part];
-    for (std::uint32_t k = range.vertex_begin; k < range.vertex_end; ++k)
-      std::fill_n(residual.begin() + 4 * std::size_t{plan_.part_vertices[k]}, 4, 0.0);
+    for (std::uint32_t k = range.vertex_begin; k < range.vertex_end; ++k) {
+      const std::size_t first = n * plan_.part_vertices[k];
+      for (std::size_t i = first; i < first + n; ++i) residual[i] = source_.empty() ? 0 : -source_[i];
+    }
     kernels_.fluxes(mesh, range, settings_, numbers(state), gradient, residual.data());
+    if (viscous()) kernels_.viscous_fluxes(mesh, range, settings_, numbers(state), unlimited, residual.data());
     add_boundary_fluxes(part, state, residual);
+    walls_.constrain(part, state, residual, reactions_);
   });
 }
 
-void EulerResidual::add_boundary_fluxes(std::size_t part, const PerId<VertexId, State>& state,
-                                        std::vector<double>& residual) const {
+template <int dim>
+void FlowResidual<dim>::add_boundary_fluxes(std::size_t part, const States& state,
+                                            std::vector<double>& residual) const {
   const PartRange& range = plan_.parts[part];
   for (std::uint32_t k = range.boundary_begin; k < range.boundary_end; ++k) {
-    const BoundaryEdge& edge = boundary_[plan_.part_boundary[k]];
-    Conserved flux[2];
-    for (int end = 0; end < 2; ++end)
-      flux[end] = boundary_flux(problem_.gas, options_.entropy_fix, edge, end, state[edge.end[end]]);
-    for (int end = 0; end < 2; ++end) {
-      const std::size_t v = edge.end[end].index();
+    const BoundaryFacet<dim>& facet = boundary_[plan_.part_boundary[k]];
+    const auto corners = facet.corners();
+    std::array<Conserved<dim>, MixedFacet<dim>::most_corners> flux{};
+    Conserved<dim> sum{};
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      flux[c] = boundary_flux(constants(), facet.condition, corners[c], state[corners[c].vertex]);
+      for (std::size_t i = 0; i < n; ++i) sum[i] += flux[c][i];
+    }
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const std::size_t v = corners[c].vertex.index();
       if (plan_.part_of[v] != part) continue;
-      for (std::size_t i = 0; i < 4; ++i)
-        residual[4 * v + i] += edge.half_length * (edge.own_share * flux[end][i] + (1 - edge.own_share) * flux[1 - end][i]);
+      for (std::size_t i = 0; i < n; ++i)
+        residual[n * v + i] +=
+            corners[c].size * (facet.own_share * flux[c][i] + facet.other_share() * (sum[i] - flux[c][i]));
     }
   }
 }
 
-void EulerResidual::wave_speed_sums(const PerId<VertexId, State>& state, std::vector<double>& sums) {
+template <int dim>
+void FlowResidual<dim>::wave_speed_sums(const States& state, std::vector<double>& sums) {
   sums.resize(plan_.padded_count());
-  const SweepMesh mesh = plan_.view();
+  const SweepMesh<dim> mesh = plan_.view();
   run_(plan_.parts.size(), [&](std::size_t part) {
     const PartRange& range = plan_.parts[part];
     for (std::uint32_t k = range.vertex_begin; k < range.vertex_end; ++k) sums[plan_.part_vertices[k]] = 0;
     kernels_.wave_speeds(mesh, range, settings_, numbers(state), sums.data());
     for (std::uint32_t k = range.boundary_begin; k < range.boundary_end; ++k) {
-      const BoundaryEdge& edge = boundary_[plan_.part_boundary[k]];
-      for (const VertexId v : edge.end) {
-        if (plan_.part_of[v.index()] != part) continue;
-        const State& w = state[v];
-        sums[v.index()] +=
-            edge.half_length * (std::abs(w.u * edge.nx + w.v * edge.ny) + sound_speed(problem_.gas, w));
+      const BoundaryFacet<dim>& facet = boundary_[plan_.part_boundary[k]];
+      for (const BoundaryCorner<dim>& corner : facet.corners()) {
+        if (plan_.part_of[corner.vertex.index()] != part) continue;
+        const State<dim>& w = state[corner.vertex];
+        sums[corner.vertex.index()] +=
+            corner.size * (std::abs(dot(velocity(w), corner.n)) + sound_speed(problem_.gas, w));
       }
     }
   });
 }
 
-void EulerResidual::jacobian(const PerId<VertexId, State>& state, std::vector<double>& blocks) {
+template <int dim>
+void FlowResidual<dim>::jacobian(const States& state, std::vector<double>& blocks) {
   follow_lift(state);
-  blocks.resize(16 * (plan_.block_count() + plan_.parts.size()));
-  const SweepMesh mesh = plan_.view();
+  blocks.resize(n * n * (plan_.block_count() + plan_.parts.size()));
+  const SweepMesh<dim> mesh = plan_.view();
   run_(plan_.parts.size(), [&](std::size_t part) {
     const PartRange& range = plan_.parts[part];
     for (std::uint32_t k = range.vertex_begin; k < range.vertex_end; ++k)
-      std::fill_n(blocks.begin() + 16 * std::size_t{plan_.diagonal_block(plan_.part_vertices[k])}, 16, 0.0);
+      std::fill_n(blocks.data() + n * n * plan_.diagonal_block(plan_.part_vertices[k]), n * n, 0.0);
     kernels_.jacobian(mesh, range, settings_, numbers(state), blocks.data());
-    for (std::uint32_t k = range.boundary_begin; k < range.boundary_end; ++k) {
-      const BoundaryEdge& edge = boundary_[plan_.part_boundary[k]];
-      for (int end = 0; end < 2; ++end) {
-        const auto v = static_cast<std::uint32_t>(edge.end[end].index());
-        if (plan_.part_of[v] != part) continue;
-        const auto other = static_cast<std::uint32_t>(edge.end[1 - end].index());
-        const auto add = [&](int at, double share, std::uint32_t block) {
-          add_boundary_jacobian(problem_.gas, options_.entropy_fix, edge, at, state[edge.end[at]],
-                                share * edge.half_length, blocks.data() + 16 * std::size_t{block});
-        };
-        add(end, edge.own_share, plan_.diagonal_block(v));
-        add(1 - end, 1 - edge.own_share, plan_.neighbour_block(v, plan_.slot_to(v, other)));
-      }
-    }
+    add_boundary_jacobians(part, state, blocks);
+    walls_.constrain_jacobian(part, plan_, blocks);
   });
 }
 
-double residual_norm(const std::vector<double>& residual, std::size_t vertex_count) {
+template <int dim>
+void FlowResidual<dim>::add_boundary_jacobians(std::size_t part, const States& state, std::vector<double>& blocks) const {
+  const PartRange& range = plan_.parts[part];
+  for (std::uint32_t k = range.boundary_begin; k < range.boundary_end; ++k) {
+    const BoundaryFacet<dim>& facet = boundary_[plan_.part_boundary[k]];
+    const auto corners = facet.corners();
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const auto v = static_cast<std::uint32_t>(corners[c].vertex.index());
+      if (plan_.part_of[v] != part) continue;
+      for (std::size_t of = 0; of < corners.size(); ++of) {
+        const double share = of == c ? facet.own_share : facet.other_share();
+        if (share == 0) continue;
+        const auto w = static_cast<std::uint32_t>(corners[of].vertex.index());
+        const std::size_t block = of == c ? plan_.diagonal_block(v) : plan_.neighbour_block(v, plan_.slot_to(v, w));
+        add_boundary_jacobian(constants(), facet.condition, corners[of], state[corners[of].vertex],
+                              share * corners[c].size, blocks.data() + n * n * block);
+      }
+    }
+  }
+}
+
+template class FlowResidual<2>;
+template class FlowResidual<3>;
+
+double residual_norm(const std::vector<double>& residual, std::size_t vertex_count, std::size_t n) {
   double sum = 0;
-  for (std::size_t i = 0; i < 4 * vertex_count; ++i) sum += residual[i] * residual[i];
+  for (std::size_t i = 0; i < n * vertex_count; ++i) sum += residual[i] * residual[i];
   return std::sqrt(sum / static_cast<double>(vertex_count));
 }
 

@@ -3,10 +3,12 @@
 
 #include <vector>
 
+#include "leonhard/solver/forces.hpp"
 #include "leonhard/solver/steady_options.hpp"
 #include "leonhard/solver/support/parallel.hpp"
 #include "leonhard/solver/sweep/boundary.hpp"
 #include "leonhard/solver/sweep/edge_plan.hpp"
+#include "leonhard/solver/sweep/strong_walls.hpp"
 #include "leonhard/solver/sweep/sweep.hpp"
 
 namespace leonhard::solver {
@@ -23,54 +25,77 @@ struct SpatialOptions {
 };
 
 /// The scheme's spatial operator: a numerical flux between linearly reconstructed primitive variables through the faces of
-/// the median dual, weak boundary conditions. A pure function of the state: the far field's vortex takes its
-/// circulation from the state's own lift. An object serves one caller at a time (it owns scratch).
-class EulerResidual {
+/// the median dual, viscous fluxes where the problem has a viscosity, weak boundary conditions but for no-slip walls
+/// (StrongWalls). A pure function of the state: the far field's vortex takes its circulation from the state's own lift. An object
+/// serves one caller at a time (it owns scratch).
+///
+/// Rows of n = dim + 2 numbers a vertex: mass, momentum by axis, energy.
+template <int dim>
+class FlowResidual {
  public:
+  static constexpr std::size_t n = dim + 2;
+
   /// problem  checked (check_problem); must outlive this
-  EulerResidual(const EulerProblem& problem, const SpatialOptions& options,
-                const SweepKernels& kernels = best_sweep());
+  FlowResidual(const FlowProblem<dim>& problem, const SpatialOptions& options,
+               const SweepKernels<dim>& kernels = best_sweep<dim>());
 
-  /// Net flux out of every control volume, 4 a vertex (mass, x and y momentum, energy); `residual` is resized, its
-  /// entries beyond 4 * vertices are rubbish. The same bits for any thread count and kernel build.
-  void evaluate(const PerId<VertexId, State>& state, std::vector<double>& residual);
+  /// Net flux out of every control volume, n a vertex; `residual` is resized, its
+  /// entries beyond n * vertices are rubbish. The same bits for any thread count and kernel build.
+  void evaluate(const PerId<VertexId, State<dim>>& state, std::vector<double>& residual);
 
-  /// As evaluate, with states constant in a cell.
-  void evaluate_first_order(const PerId<VertexId, State>& state, std::vector<double>& residual);
+  /// As evaluate, with states constant in a cell, viscous fluxes by the jumps along the edges alone.
+  void evaluate_first_order(const PerId<VertexId, State<dim>>& state, std::vector<double>& residual);
 
-  /// Sum of (|Vn| + c) times length over each control volume's boundary; a time step of CFL number k at vertex v
-  /// is k area / sum. One a vertex, then rubbish.
-  void wave_speed_sums(const PerId<VertexId, State>& state, std::vector<double>& sums);
+  /// Sum of (|Vn| + c) times size over each control volume's boundary, and what diffusion adds; a time step of CFL number k at
+  /// vertex v is k volume / sum. One a vertex, then rubbish.
+  void wave_speed_sums(const PerId<VertexId, State<dim>>& state, std::vector<double>& sums);
 
   /// Jacobian by conservative variables of the residual with states constant in a cell, the dissipation (near the flux's:
-  /// flux_jacobians) and the far field held fixed. Blocks of 16, column by column, in the order of EdgePlan::neighbour_block; then rubbish.
-  void jacobian(const PerId<VertexId, State>& state, std::vector<double>& blocks);
+  /// flux_jacobians) and the viscosity held fixed, boundary conditions exact. Blocks of n x n, column by column, in the order of
+  /// EdgePlan::neighbour_block; then rubbish.
+  void jacobian(const PerId<VertexId, State<dim>>& state, std::vector<double>& blocks);
 
-  [[nodiscard]] const EdgePlan& plan() const { return plan_; }
-  [[nodiscard]] const EulerProblem& problem() const { return problem_; }
-  [[nodiscard]] const SweepKernels& kernels() const { return kernels_; }
+  /// What the walls took up in the last call of evaluate or evaluate_first_order.
+  [[nodiscard]] std::vector<WallStress<dim>> wall_stresses(const PerId<VertexId, State<dim>>& state) const {
+    return solver::wall_stresses(problem_, state, walls_.vertices(), reactions_);
+  }
+
+  /// Give vertices on no-slip walls their walls' velocity and temperature: what a march must start from.
+  void project(PerId<VertexId, State<dim>>& state) const { walls_.project(state); }
+
+  [[nodiscard]] const EdgePlan<dim>& plan() const { return plan_; }
+  [[nodiscard]] const FlowProblem<dim>& problem() const { return problem_; }
+  [[nodiscard]] const SweepKernels<dim>& kernels() const { return kernels_; }
 
  private:
-  void evaluate_with(const double* gradient, const PerId<VertexId, State>& state,
-                     std::vector<double>& residual);
-  void add_boundary_fluxes(std::size_t part, const PerId<VertexId, State>& state,
-                           std::vector<double>& residual) const;
-  void follow_lift(const PerId<VertexId, State>& state);
+  using States = PerId<VertexId, State<dim>>;
 
-  const EulerProblem& problem_;
+  void evaluate_with(const double* gradient, const double* unlimited, const States& state, std::vector<double>& residual);
+  void add_boundary_fluxes(std::size_t part, const States& state, std::vector<double>& residual) const;
+  void add_boundary_jacobians(std::size_t part, const States& state, std::vector<double>& blocks) const;
+  void follow_lift(const States& state);
+  [[nodiscard]] bool viscous() const { return settings_.viscosity > 0; }
+  [[nodiscard]] BoundaryConstants constants() const {
+    return {problem_.gas, options_.entropy_fix, problem_.free_stream};
+  }
+
+  const FlowProblem<dim>& problem_;
   SpatialOptions options_;
-  const SweepKernels& kernels_;
-  EdgePlan plan_;
+  const SweepKernels<dim>& kernels_;
+  EdgePlan<dim> plan_;
   PartRunner run_;
-  std::vector<BoundaryEdge> boundary_;
+  std::vector<BoundaryFacet<dim>> boundary_;
+  StrongWalls<dim> walls_;
+  std::vector<WallReaction<dim>> reactions_;
   bool follows_lift_;
   std::vector<double> limiter_scale2_;
-  std::vector<double> gradient_;
+  std::vector<double> gradient_, unlimited_;
+  std::vector<double> source_;  ///< n a vertex, times the control volume; empty where there is none
   SweepSettings settings_;
 };
 
-/// Root mean square over the vertices of the residual vector (all four components, net flux out of a control volume,
-/// not divided by its area).
-[[nodiscard]] double residual_norm(const std::vector<double>& residual, std::size_t vertex_count);
+/// Root mean square over the vertices of the residual vector (all n components, net flux out of a control volume,
+/// not divided by its volume).
+[[nodiscard]] double residual_norm(const std::vector<double>& residual, std::size_t vertex_count, std::size_t n);
 
 }  // namespace leonhard::solver

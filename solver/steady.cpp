@@ -16,7 +16,8 @@ void require(bool good, const char* name, double value, const char* remedy) {
   if (!good) throw InputError(name, "is " + std::to_string(value), remedy);
 }
 
-void check_parts(const MeshDual<2>& dual, const SteadyOptions& o) {
+template <int dim>
+void check_parts(const MeshDual<dim>& dual, const SteadyOptions& o) {
   if (o.part_of.empty()) return;
   if (o.part_of.size() != dual.vertex_count())
     throw InputError("part_of",
@@ -32,7 +33,8 @@ void check_parts(const MeshDual<2>& dual, const SteadyOptions& o) {
                      "number the parts from 0 to parts - 1");
 }
 
-void check_options(const EulerProblem& problem, const SteadyOptions& o) {
+template <int dim>
+void check_options(const FlowProblem<dim>& problem, const SteadyOptions& o) {
   require(o.order == 1 || o.order == 2, "order", o.order, "give 1 or 2");
   require(std::isfinite(o.venkatakrishnan_k) && o.venkatakrishnan_k >= 0, "venkatakrishnan_k",
           o.venkatakrishnan_k, "give a number from 0");
@@ -49,26 +51,22 @@ void check_options(const EulerProblem& problem, const SteadyOptions& o) {
   require(o.max_iterations >= 0, "max_iterations", o.max_iterations,
           "give a number of iterations, or 0 for the default");
   require(o.threads >= 1, "threads", o.threads, "give at least one thread");
-  if (!o.initial.empty() && o.initial.size() != problem.dual.vertex_count())
-    throw InputError("initial",
-                     "has " + std::to_string(o.initial.size()) + " states for " +
-                         std::to_string(problem.dual.vertex_count()) + " vertices",
-                     "give one state a vertex, or none");
   check_parts(problem.dual, o);
 }
 
 }  // namespace
 
-SteadyResult solve_steady(const EulerProblem& problem, const SteadyOptions& options,
-                          const std::function<void(const Iteration&)>& monitor, std::stop_token stop) {
+template <int dim>
+SteadyResult<dim> solve_steady(const FlowProblem<dim>& problem, const SteadyOptions& options,
+                               const std::function<void(const Iteration&)>& monitor, std::stop_token stop) {
   check_problem(problem);
   check_options(problem, options);
   const bool implicit = options.marching == Marching::implicit_ptc;
   ConvergenceMonitor book(options, options.settle_window.value_or(implicit ? 40 : 1000),
                           options.max_iterations > 0 ? options.max_iterations : (implicit ? 500 : 50'000),
                           monitor, stop);
-  March march(problem, options, book, stop);
-  SteadyResult result;
+  March<dim> march(problem, options, book, stop);
+  SteadyResult<dim> result;
   if (const auto at_once = march.start())
     result.verdict = *at_once;
   else
@@ -77,12 +75,18 @@ SteadyResult solve_steady(const EulerProblem& problem, const SteadyOptions& opti
   result.words = describe(result.verdict, result.history, march.bad_vertex, problem.dual);
   if (result.verdict == Verdict::diverged) result.bad_vertex = march.bad_vertex;
   result.state = std::move(march.state);
-  result.forces_by_marker = wall_forces(problem, result.state);
+  result.stresses = march.stresses;
+  result.forces_by_marker = wall_forces(problem, result.state, result.stresses);
   result.forces = total(result.forces_by_marker);
-  result.surface = surface_lines(problem, result.state);
+  if constexpr (dim == 2) result.surface = surface_lines(problem, result.state, result.stresses);
   result.rejected_steps = march.rejected;
   result.sweep = march.spatial.kernels().name;
   return result;
 }
+
+template SteadyResult<2> solve_steady(const FlowProblem<2>&, const SteadyOptions&,
+                                      const std::function<void(const Iteration&)>&, std::stop_token);
+template SteadyResult<3> solve_steady(const FlowProblem<3>&, const SteadyOptions&,
+                                      const std::function<void(const Iteration&)>&, std::stop_token);
 
 }  // namespace leonhard::solver

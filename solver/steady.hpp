@@ -10,7 +10,7 @@
 
 namespace leonhard::solver {
 
-/// March the Euler equations to a steady state.
+/// March the Euler or Navier-Stokes equations to a steady state.
 ///
 /// problem  mesh, gas and boundary conditions. Any numbering of the vertices is right; reverse Cuthill-McKee is fastest
 /// options  see SteadyOptions
@@ -19,8 +19,9 @@ namespace leonhard::solver {
 /// returns  state, forces and a verdict; never throws for a flow that does not converge
 /// throws   InputError for a bad problem or option, before any work; what `monitor` throws passes through
 /// Implicit marching needs a PetscSession alive (linear_solver.hpp).
-[[nodiscard]] SteadyResult solve_steady(const EulerProblem& problem, const SteadyOptions& options = {},
-                                        const std::function<void(const Iteration&)>& monitor = {},
-                                        std::stop_token stop = {});
+template <int dim>
+[[nodiscard]] SteadyResult<dim> solve_steady(const FlowProblem<dim>& problem, const SteadyOptions& options = {},
+                                             const std::function<void(const Iteration&)>& monitor = {},
+                                             std::stop_token stop = {});
 
 }  // namespace leonhard::solver

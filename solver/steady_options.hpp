@@ -5,19 +5,17 @@
 #include <optional>
 #include <vector>
 
-#include "leonhard/mesh/id.hpp"
-#include "leonhard/solver/gas.hpp"
 #include "leonhard/solver/kinds.hpp"
 
 namespace leonhard {
 
-/// How to march. The defaults are meant to work for every case from Mach 0.01 to 3.
+/// How to march. The defaults are meant to work for every case from Mach 0.01 to 10.
 struct SteadyOptions {
   Marching marching = Marching::implicit_ptc;
   FluxKind flux = FluxKind::roe_low_mach;  ///< between control volumes; the far field keeps Roe's
   LimiterKind limiter = LimiterKind::venkatakrishnan;
   /// >= 0; larger limits less. A variation passes unlimited below (k h / extent)^1.5 of the local density, speed of sound
-  /// or pressure times gamma; h^2 is the control volume, the extent that of the slip walls, or of the mesh where there
+  /// or pressure times gamma; h is the control volume's root, in space its third root, the extent that of the walls, or of the mesh where there
   /// are none.
   double venkatakrishnan_k = 3.0;
   int order = 2;                    ///< 1: states constant in a cell; 2: linear reconstruction
@@ -34,9 +32,6 @@ struct SteadyOptions {
   /// may be empty). Empty: parts of the solver's own making. The result is the same to the bit for any parts.
   std::vector<std::uint32_t> part_of{};
   std::uint32_t parts = 0;
-  /// Start from here in place of the free stream; one state a vertex, or empty. The implicit march leaves out its
-  /// first-order start-up then.
-  PerId<VertexId, State> initial{};
 };
 
 }  // namespace leonhard

@@ -20,6 +20,7 @@ struct Iteration {
   double cfl{};
   int linear_iterations{};  ///< since the previous line
   double seconds{};         ///< wall time since the start of solve_steady
+  double cy{};              ///< space only
 };
 
 enum class Verdict {
@@ -51,22 +52,25 @@ enum class Verdict {
 }
 
 /// Where a run broke down.
+template <int dim>
 struct BadVertex {
   VertexId vertex;
-  Point2 at;
-  State state;
-  std::optional<Marker> nearest_marker;  ///< of the boundary edge nearest to it
+  typename Simplex<dim>::Point at;
+  State<dim> state;
+  std::optional<Marker> nearest_marker;  ///< of the boundary facet nearest to it
 };
 
+template <int dim>
 struct SteadyResult {
   Verdict verdict{};
   std::string words;  ///< the verdict in a sentence, with its figures
-  PerId<VertexId, State> state;
+  PerId<VertexId, State<dim>> state;
   Forces forces;  ///< over all walls
   std::map<Marker, Forces> forces_by_marker;
-  std::vector<SurfaceLine> surface;
+  std::vector<SurfaceLine> surface;                ///< plane only
+  std::vector<solver::WallStress<dim>> stresses;  ///< one a vertex on a no-slip wall
   std::vector<Iteration> history;       ///< one entry an iteration, the start included
-  std::optional<BadVertex> bad_vertex;  ///< only when diverged
+  std::optional<BadVertex<dim>> bad_vertex;  ///< only when diverged
   int rejected_steps{};                 ///< steps rolled back and repeated with a smaller time step
   std::string sweep;                    ///< which build of the inner loops ran: "avx2" or "baseline"
 };

@@ -56,7 +56,7 @@ draw::View close_up(const SolveRun& run) {
 std::vector<double> mach_numbers(const SolveRun& run) {
   std::vector<double> mach;
   mach.reserve(run.flow.state.size());
-  for (const State& state : run.flow.state)
+  for (const State<2>& state : run.flow.state)
     mach.push_back(solver::mach_number({run.the_case.flow.gamma}, state));
   return mach;
 }

@@ -24,7 +24,7 @@ void write_field(const SolveRun& run, const std::filesystem::path& path) {
   const FreeStream free{run.the_case.flow.mach, 0};
   PointField density{"density", 1, {}}, velocity{"velocity", 2, {}}, pressure{"pressure", 1, {}},
       mach{"mach", 1, {}}, cp{"cp", 1, {}}, loss{"total_pressure_loss", 1, {}};
-  for (const State& state : run.flow.state) {
+  for (const State<2>& state : run.flow.state) {
     density.values.push_back(state.rho);
     velocity.values.insert(velocity.values.end(), {state.u, state.v});
     pressure.values.push_back(state.p);

@@ -67,7 +67,7 @@ struct SolveRun {
   graph::TrianglePartition triangle_parts;
   graph::PartitionCost partition_cost;
 
-  SteadyResult flow;
+  SteadyResult<2> flow;
 
   std::vector<StageTime> stages;
   std::vector<std::string> warnings;

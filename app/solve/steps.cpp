@@ -81,9 +81,9 @@ AreaAccount area_account(const SolveRun& run) {
   return {mesh2.get_d() / 2, polygon2.get_d() / 2, difference2 == 0, difference2.get_d() / 2};
 }
 
-EulerProblem problem_of(const SolveRun& run) {
+FlowProblem<2> problem_of(const SolveRun& run) {
   const Case& c = run.the_case;
-  EulerProblem problem{.dual = run.dual ? *run.dual : mesh::build_dual(run.mesh),
+  FlowProblem<2> problem{.dual = run.dual ? *run.dual : mesh::build_dual(run.mesh),
                        .gas = {c.flow.gamma},
                        .free_stream = {c.flow.mach, c.flow.alpha_deg * std::numbers::pi / 180},
                        .boundary = {},

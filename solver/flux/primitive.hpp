@@ -36,6 +36,16 @@ struct Primitive {
   T p;
 };
 
+/// Half the sum of two states.
+template <int dim, class T>
+LEONHARD_INLINE Primitive<dim, T> mean_state(const Primitive<dim, T>& a, const Primitive<dim, T>& b) {
+  Primitive<dim, T> m;
+  m.rho = 0.5 * (a.rho + b.rho);
+  for (int i = 0; i < dim; ++i) m.velocity.e[i] = 0.5 * (a.velocity.e[i] + b.velocity.e[i]);
+  m.p = 0.5 * (a.p + b.p);
+  return m;
+}
+
 /// A flux, conservative variables or a row or column of a Jacobian: mass, momentum by axis, energy.
 template <int dim, class T>
 struct Components {

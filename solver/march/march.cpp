@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/solver/march/march.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -22,22 +23,26 @@ double rounding_errors(const std::vector<double>& speed_sums, std::size_t vertex
 
 }  // namespace
 
-March::March(const EulerProblem& p, const SteadyOptions& o, ConvergenceMonitor& b, std::stop_token s)
+template <int dim>
+March<dim>::March(const FlowProblem<dim>& p, const SteadyOptions& o, ConvergenceMonitor& b, std::stop_token s)
     : problem(p),
       options(o),
       book(b),
       stop(std::move(s)),
       spatial(p, spatial_options(o)),
-      state(o.initial.empty()
-                ? PerId<VertexId, State>(p.dual.vertex_count(), free_stream_state(p.gas, p.free_stream))
-                : o.initial) {}
+      state(p.initial.empty()
+                ? PerId<VertexId, State<dim>>(p.dual.vertex_count(), free_stream_state<dim>(p.gas, p.free_stream))
+                : p.initial) {
+  spatial.project(state);
+}
 
-std::optional<Verdict> March::start() {
+template <int dim>
+std::optional<Verdict> March<dim>::start() {
   std::vector<double> speed_sums;
-  bad_vertex = find_bad_vertex(problem, state, {});
+  bad_vertex = find_bad_vertex<dim>(problem, state, {});
   if (!bad_vertex) {
     spatial.evaluate(state, residual);
-    first_norm = norm = residual_norm(residual, state.size());
+    first_norm = norm = residual_norm(residual, state.size(), n);
     spatial.wave_speed_sums(state, speed_sums);
     rounding = rounding_errors(speed_sums, state.size());
     if (!std::isfinite(norm)) bad_vertex = find_bad_vertex(problem, state, residual);
@@ -46,33 +51,44 @@ std::optional<Verdict> March::start() {
   return record(0);
 }
 
-std::optional<Verdict> March::record(int number) {
-  const Forces forces = total(wall_forces(problem, state));
+template <int dim>
+std::optional<Verdict> March<dim>::record(int number) {
+  stresses = spatial.wall_stresses(state);
+  const Forces forces = total(wall_forces(problem, state, stresses));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double drop = norm > 0 && first_norm > 0 ? std::log10(first_norm / norm) : 0;
-  const Iteration iteration{number, drop, forces.cl, forces.cd, forces.cm, cfl, linear_iterations, seconds};
+  const Iteration iteration{number, drop, forces.cl, forces.cd, forces.cm, cfl, linear_iterations, seconds, forces.cy};
   linear_iterations = 0;
   // A start that is the solution already (an empty channel, say) counts as converged: nothing is left to reduce.
   return book.record(iteration, norm <= rounding);
 }
 
-void to_conserved(Gas gas, const PerId<VertexId, State>& state, std::vector<double>& conserved) {
-  conserved.resize(4 * state.size());
+template <int dim>
+void to_conserved(Gas gas, const PerId<VertexId, State<dim>>& state, std::vector<double>& conserved) {
+  constexpr std::size_t n = dim + 2;
+  conserved.resize(n * state.size());
   for (const VertexId v : state.ids()) {
-    const Conserved q = conserved_of(gas, state[v]);
-    for (std::size_t i = 0; i < 4; ++i) conserved[4 * v.index() + i] = q[i];
+    const Conserved<dim> q = conserved_of(gas, state[v]);
+    std::copy(q.begin(), q.end(), conserved.begin() + static_cast<std::ptrdiff_t>(n * v.index()));
   }
 }
 
-bool to_states(Gas gas, const std::vector<double>& conserved, PerId<VertexId, State>& state) {
+template <int dim>
+bool to_states(Gas gas, const std::vector<double>& conserved, PerId<VertexId, State<dim>>& state) {
   bool physical = true;
-  state.resize(conserved.size() / 4);
+  state.resize(conserved.size() / (dim + 2));
   for (const VertexId v : state.ids()) {
-    const double* q = conserved.data() + 4 * v.index();
-    state[v] = state_of(gas, {q[0], q[1], q[2], q[3]});
+    state[v] = state_of<dim>(gas, conserved.data() + (dim + 2) * v.index());
     physical = physical && is_physical(state[v]);
   }
   return physical;
 }
+
+template struct March<2>;
+template struct March<3>;
+template void to_conserved(Gas, const PerId<VertexId, State<2>>&, std::vector<double>&);
+template void to_conserved(Gas, const PerId<VertexId, State<3>>&, std::vector<double>&);
+template bool to_states(Gas, const std::vector<double>&, PerId<VertexId, State<2>>&);
+template bool to_states(Gas, const std::vector<double>&, PerId<VertexId, State<3>>&);
 
 }  // namespace leonhard::solver

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "leonhard/solver/support/axes.hpp"
+
 namespace leonhard::solver {
 
 ConvergenceMonitor::ConvergenceMonitor(const SteadyOptions& options, int window, int max_iterations,
@@ -19,7 +21,7 @@ ConvergenceMonitor::ConvergenceMonitor(const SteadyOptions& options, int window,
       stop_(std::move(stop)) {}
 
 bool ConvergenceMonitor::coefficients_stand_still(std::size_t window) const {
-  for (const auto coefficient : {&Iteration::cl, &Iteration::cd, &Iteration::cm}) {
+  for (const auto coefficient : {&Iteration::cl, &Iteration::cd, &Iteration::cm, &Iteration::cy}) {
     const auto by = [&](const Iteration& a, const Iteration& b) { return a.*coefficient < b.*coefficient; };
     const auto [low, high] =
         std::minmax_element(history_.end() - static_cast<std::ptrdiff_t>(window), history_.end(), by);
@@ -48,45 +50,60 @@ std::optional<Verdict> ConvergenceMonitor::record(const Iteration& iteration, bo
 
 namespace {
 
-double distance_to_edge(Point2 p, Point2 a, Point2 b) {
-  const Vec2 along = b - a;
-  const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
-  return distance(p, a + t * along);
+/// Squared distance from p to the segment between a and b.
+template <int dim>
+double distance2(const Axes<dim>& p, const Axes<dim>& a, const Axes<dim>& b) {
+  Axes<dim> along, from;
+  for (std::size_t i = 0; i < dim; ++i) along[i] = b[i] - a[i], from[i] = p[i] - a[i];
+  const double t = std::clamp(dot(from, along) / dot(along, along), 0.0, 1.0);
+  for (std::size_t i = 0; i < dim; ++i) from[i] -= t * along[i];
+  return dot(from, from);
 }
 
-std::optional<Marker> nearest_marker(const MeshDual<2>& dual, Point2 p) {
+/// The marker of the facet whose outline is nearest.
+template <int dim>
+std::optional<Marker> nearest_marker(const MeshDual<dim>& dual, const typename Simplex<dim>::Point& p) {
   std::optional<Marker> nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (const DualFacet<2>& edge : dual.boundary) {
-    const double d = distance_to_edge(p, dual.points[edge.corners[0]], dual.points[edge.corners[1]]);
-    if (d < least) least = d, nearest = edge.marker;
-  }
+  for (const DualFacet<dim>& facet : dual.boundary)
+    for (std::size_t i = 0; i < facet.corners.size(); ++i) {
+      const VertexId a = facet.corners[i], b = facet.corners[(i + 1) % facet.corners.size()];
+      const double d = distance2<dim>(axes(p), axes(dual.points[a]), axes(dual.points[b]));
+      if (d < least) least = d, nearest = facet.marker;
+    }
   return nearest;
 }
 
-std::string name_of(const MeshDual<2>& dual, Marker marker) {
+template <int dim>
+std::string name_of(const MeshDual<dim>& dual, Marker marker) {
   const auto found = dual.marker_names.find(marker);
   return found == dual.marker_names.end() ? "marker " + std::to_string(marker) : "\"" + found->second + "\"";
 }
 
-void describe_bad_vertex(std::ostream& out, const BadVertex& bad, const MeshDual<2>& dual) {
-  out << " at vertex " << bad.vertex.raw << " (" << bad.at.x << ", " << bad.at.y << "), rho " << bad.state.rho
-      << ", u " << bad.state.u << ", v " << bad.state.v << ", p " << bad.state.p;
+template <int dim>
+void describe_bad_vertex(std::ostream& out, const BadVertex<dim>& bad, const MeshDual<dim>& dual) {
+  constexpr const char* component[] = {"u", "v", "w"};
+  out << " at vertex " << bad.vertex.raw << " " << bad.at << ", rho " << bad.state.rho;
+  const Axes<dim> v = velocity(bad.state);
+  for (std::size_t i = 0; i < dim; ++i) out << ", " << component[i] << " " << v[i];
+  out << ", p " << bad.state.p;
   if (bad.nearest_marker) out << ", nearest boundary " << name_of(dual, *bad.nearest_marker);
 }
 
 }  // namespace
 
-std::optional<BadVertex> find_bad_vertex(const EulerProblem& problem, const PerId<VertexId, State>& state,
-                                         const std::vector<double>& residual) {
+template <int dim>
+std::optional<BadVertex<dim>> find_bad_vertex(const FlowProblem<dim>& problem, const PerId<VertexId, State<dim>>& state,
+                                              const std::vector<double>& residual) {
+  constexpr std::size_t n = dim + 2;
   const auto finite_residual = [&](VertexId v) {
-    if (residual.size() < 4 * state.size()) return true;
-    const auto first = residual.begin() + static_cast<std::ptrdiff_t>(4 * v.index());
-    return std::all_of(first, first + 4, [](double x) { return std::isfinite(x); });
+    if (residual.size() < n * state.size()) return true;
+    const auto first = residual.begin() + static_cast<std::ptrdiff_t>(n * v.index());
+    return std::all_of(first, first + n, [](double x) { return std::isfinite(x); });
   };
   const auto report = [&](VertexId v) {
-    const Point2 at = problem.dual.points[v];
-    return BadVertex{v, at, state[v], nearest_marker(problem.dual, at)};
+    const auto& at = problem.dual.points[v];
+    return BadVertex<dim>{v, at, state[v], nearest_marker(problem.dual, at)};
   };
   for (const VertexId v : state.ids())
     if (!is_physical(state[v])) return report(v);
@@ -95,8 +112,9 @@ std::optional<BadVertex> find_bad_vertex(const EulerProblem& problem, const PerI
   return std::nullopt;
 }
 
+template <int dim>
 std::string describe(Verdict verdict, const std::vector<Iteration>& history,
-                     const std::optional<BadVertex>& bad, const MeshDual<2>& dual) {
+                     const std::optional<BadVertex<dim>>& bad, const MeshDual<dim>& dual) {
   std::ostringstream out;
   out.precision(4);
   out << to_string(verdict);
@@ -123,5 +141,14 @@ std::string describe(Verdict verdict, const std::vector<Iteration>& history,
   }
   return out.str();
 }
+
+#define LEONHARD_MONITOR(dim)                                                                                              \
+  template std::optional<BadVertex<dim>> find_bad_vertex(const FlowProblem<dim>&, const PerId<VertexId, State<dim>>&,     \
+                                                         const std::vector<double>&);                                     \
+  template std::string describe(Verdict, const std::vector<Iteration>&, const std::optional<BadVertex<dim>>&,             \
+                                const MeshDual<dim>&);
+LEONHARD_MONITOR(2)
+LEONHARD_MONITOR(3)
+#undef LEONHARD_MONITOR
 
 }  // namespace leonhard::solver

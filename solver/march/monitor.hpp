@@ -16,7 +16,7 @@ namespace leonhard::solver {
 /// Keeps the history and says when to stop.
 ///
 /// converged        the residual fell far enough, or to what rounding leaves of it
-/// settled          over the window cl, cd and cm moved less than the tolerance while the residual's best value fell by
+/// settled          over the window cl, cd, cm and cy moved less than the tolerance while the residual's best value fell by
 ///                  less than `falling` orders
 /// stalled          over three windows the residual's best value fell by less than `falling` orders
 /// iteration_limit  as it says
@@ -50,13 +50,15 @@ class ConvergenceMonitor {
 };
 
 /// The first vertex whose state is unphysical, or else whose residual is not finite, with what lies next to it.
-/// residual  4 a vertex, or empty
-[[nodiscard]] std::optional<BadVertex> find_bad_vertex(const EulerProblem& problem,
-                                                       const PerId<VertexId, State>& state,
-                                                       const std::vector<double>& residual);
+/// residual  dim + 2 a vertex, or empty
+template <int dim>
+[[nodiscard]] std::optional<BadVertex<dim>> find_bad_vertex(const FlowProblem<dim>& problem,
+                                                            const PerId<VertexId, State<dim>>& state,
+                                                            const std::vector<double>& residual);
 
 /// The verdict in a sentence with its figures.
+template <int dim>
 [[nodiscard]] std::string describe(Verdict verdict, const std::vector<Iteration>& history,
-                                   const std::optional<BadVertex>& bad, const MeshDual<2>& dual);
+                                   const std::optional<BadVertex<dim>>& bad, const MeshDual<dim>& dual);
 
 }  // namespace leonhard::solver

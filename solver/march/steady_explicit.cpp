@@ -14,7 +14,8 @@ constexpr double least_cfl = 1e-3;
 
 /// One iteration from `before`; the last stage's state is left in march.state.
 /// returns  whether all stages were physical
-bool three_stages(March& march, const std::vector<double>& before, const std::vector<double>& speeds,
+template <int dim>
+bool three_stages(March<dim>& march, const std::vector<double>& before, const std::vector<double>& speeds,
                   std::vector<double>& now) {
   now.resize(before.size());
   for (int stage = 0; stage < 3; ++stage) {
@@ -22,7 +23,7 @@ bool three_stages(March& march, const std::vector<double>& before, const std::ve
     const double share = stage_share[stage] * march.cfl;
     for (std::size_t v = 0; v < march.state.size(); ++v) {
       const double step = share / speeds[v];
-      for (std::size_t i = 4 * v; i < 4 * v + 4; ++i) now[i] = before[i] - step * march.residual[i];
+      for (std::size_t i = march.n * v; i < march.n * (v + 1); ++i) now[i] = before[i] - step * march.residual[i];
     }
     if (!to_states(march.problem.gas, now, march.state)) return false;
   }
@@ -31,7 +32,8 @@ bool three_stages(March& march, const std::vector<double>& before, const std::ve
 
 }  // namespace
 
-Verdict march_explicit(March& march) {
+template <int dim>
+Verdict march_explicit(March<dim>& march) {
   const SteadyOptions& options = march.options;
   march.cfl = std::min(options.cfl_start.value_or(default_cfl), options.cfl_max.value_or(1e300));
   std::vector<double> before, now, speeds;
@@ -40,7 +42,7 @@ Verdict march_explicit(March& march) {
     march.spatial.wave_speed_sums(march.state, speeds);
     while (!three_stages(march, before, speeds, now)) {
       ++march.rejected;
-      march.bad_vertex = find_bad_vertex(march.problem, march.state, {});
+      march.bad_vertex = find_bad_vertex<dim>(march.problem, march.state, {});
       march.cfl *= 0.5;
       (void)to_states(march.problem.gas, before, march.state);
       march.spatial.evaluate(march.state, march.residual);
@@ -48,7 +50,7 @@ Verdict march_explicit(March& march) {
       if (march.stop.stop_requested()) return Verdict::stopped;
     }
     march.spatial.evaluate(march.state, march.residual);
-    march.norm = residual_norm(march.residual, march.state.size());
+    march.norm = residual_norm(march.residual, march.state.size(), march.n);
     before.swap(now);
     if (!std::isfinite(march.norm)) {
       march.bad_vertex = find_bad_vertex(march.problem, march.state, march.residual);
@@ -57,5 +59,8 @@ Verdict march_explicit(March& march) {
     if (const auto verdict = march.record(number)) return *verdict;
   }
 }
+
+template Verdict march_explicit(March<2>&);
+template Verdict march_explicit(March<3>&);
 
 }  // namespace leonhard::solver

@@ -35,7 +35,8 @@ constexpr double residual_may_grow = 1.5;  ///< by this factor in a step, unless
 constexpr int patience = 8;  ///< iterations without a better residual after which it may not grow at all
 
 /// The neighbours of each vertex and itself, ascending.
-BlockPattern block_pattern(const EdgePlan& plan) {
+template <int dim>
+BlockPattern block_pattern(const EdgePlan<dim>& plan) {
   BlockPattern pattern;
   pattern.reserve(plan.vertex_count, plan.block_count());
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
@@ -56,10 +57,15 @@ double norm_of(std::span<const double> x) {
 /// A relative change as the march weighs it: a fall counts for more than a rise, and one of 1 would leave a fifth.
 double weigh(double change) { return change > 0 ? change : -1.25 * change; }
 
+template <int dim>
 class ImplicitMarch {
  public:
-  explicit ImplicitMarch(March& march)
-      : march_(march), system_(block_pattern(march.spatial.plan())), starting_(march.options.initial.empty()) {
+  static constexpr std::size_t n = dim + 2;
+
+  explicit ImplicitMarch(March<dim>& march)
+      : march_(march),
+        system_(block_pattern(march.spatial.plan()), static_cast<int>(n)),
+        starting_(march.problem.initial.empty()) {
     to_conserved(march.problem.gas, march.state, q_);
     step_.resize(q_.size());
     march.cfl = std::min(march.options.cfl_start.value_or(default_cfl), cfl_max());
@@ -79,7 +85,7 @@ class ImplicitMarch {
       }
       if (starting_) {
         march_.spatial.evaluate(march_.state, march_.residual);
-        march_.norm = residual_norm(march_.residual, march_.state.size());
+        march_.norm = residual_norm(march_.residual, march_.state.size(), n);
         march_.book.restart_window();
       } else {
         march_.residual = residual_;
@@ -95,7 +101,7 @@ class ImplicitMarch {
   [[nodiscard]] double cfl_max() const { return march_.options.cfl_max.value_or(default_cfl_max); }
 
   /// The residual that this phase brings down.
-  void evaluate(const PerId<VertexId, State>& state, std::vector<double>& residual) {
+  void evaluate(const PerId<VertexId, State<dim>>& state, std::vector<double>& residual) {
     if (starting_)
       march_.spatial.evaluate_first_order(state, residual);
     else
@@ -104,7 +110,7 @@ class ImplicitMarch {
 
   void take_residual() {
     evaluate(march_.state, residual_);
-    norm_ = first_norm_ = residual_norm(residual_, march_.state.size());
+    norm_ = first_norm_ = residual_norm(residual_, march_.state.size(), n);
   }
 
   void take_over() {
@@ -137,11 +143,11 @@ class ImplicitMarch {
   bool assemble() {
     march_.spatial.jacobian(march_.state, blocks_);
     march_.spatial.wave_speed_sums(march_.state, speeds_);
-    const EdgePlan& plan = march_.spatial.plan();
+    const EdgePlan<dim>& plan = march_.spatial.plan();
     for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
       speeds_[v] /= march_.cfl;
-      double* block = blocks_.data() + 16 * std::size_t{plan.diagonal_block(v)};
-      for (std::size_t i = 0; i < 4; ++i) block[5 * i] += speeds_[v];
+      double* block = blocks_.data() + n * n * plan.diagonal_block(v);
+      for (std::size_t i = 0; i < n; ++i) block[(n + 1) * i] += speeds_[v];
     }
     return system_.factor(blocks_);
   }
@@ -165,15 +171,18 @@ class ImplicitMarch {
     (void)to_states(march_.problem.gas, trial_, trial_state_);
     march_.spatial.evaluate(trial_state_, trial_residual_);
     for (std::size_t i = 0; i < q_.size(); ++i)
-      y[i] = (trial_residual_[i] - residual_[i]) / e + speeds_[i / 4] * x[i];
+      y[i] = (trial_residual_[i] - residual_[i]) / e + speeds_[i / n] * x[i];
   }
 
   /// The greater relative change of density and pressure that the step brings to a vertex, weighed.
   [[nodiscard]] double relative_change(VertexId v) const {
     const double g = march_.problem.gas.gamma - 1;
-    const State& w = march_.state[v];
-    const double* d = step_.data() + 4 * v.index();
-    const double change_p = g * (0.5 * (w.u * w.u + w.v * w.v) * d[0] - w.u * d[1] - w.v * d[2] + d[3]);
+    const State<dim>& w = march_.state[v];
+    const Axes<dim> velocity_here = velocity(w);
+    const double* d = step_.data() + n * v.index();
+    double change_p = 0.5 * dot(velocity_here, velocity_here) * d[0] + d[n - 1];
+    for (std::size_t i = 0; i < dim; ++i) change_p -= velocity_here[i] * d[1 + i];
+    change_p *= g;
     return std::max(weigh(d[0] / w.rho), weigh(change_p / w.p));
   }
 
@@ -193,7 +202,7 @@ class ImplicitMarch {
       const double change = relative_change(v);
       if (!(change > start_up_change)) continue;
       ++clipped;
-      for (std::size_t i = 0; i < 4; ++i) step_[4 * v.index() + i] *= start_up_change / change;
+      for (std::size_t i = 0; i < n; ++i) step_[n * v.index() + i] *= start_up_change / change;
     }
     return clipped;
   }
@@ -202,11 +211,11 @@ class ImplicitMarch {
     trial_.resize(q_.size());
     for (std::size_t i = 0; i < q_.size(); ++i) trial_[i] = q_[i] + share * step_[i];
     if (!to_states(march_.problem.gas, trial_, trial_state_)) {
-      march_.bad_vertex = find_bad_vertex(march_.problem, trial_state_, {});
+      march_.bad_vertex = find_bad_vertex<dim>(march_.problem, trial_state_, {});
       return false;
     }
     evaluate(trial_state_, trial_residual_);
-    trial_norm_ = residual_norm(trial_residual_, march_.state.size());
+    trial_norm_ = residual_norm(trial_residual_, march_.state.size(), n);
     if (!std::isfinite(trial_norm_)) {
       march_.bad_vertex = find_bad_vertex(march_.problem, trial_state_, trial_residual_);
       return false;
@@ -220,7 +229,7 @@ class ImplicitMarch {
   [[nodiscard]] double unsteady_norm(double share) const {
     double sum = 0;
     for (std::size_t i = 0; i < q_.size(); ++i) {
-      const double r = trial_residual_[i] + share * speeds_[i / 4] * step_[i];
+      const double r = trial_residual_[i] + share * speeds_[i / n] * step_[i];
       sum += r * r;
     }
     return std::sqrt(sum / static_cast<double>(march_.state.size()));
@@ -259,14 +268,14 @@ class ImplicitMarch {
     }
   }
 
-  March& march_;
+  March<dim>& march_;
   BlockSystem system_;
   bool starting_;  ///< in the start-up
   LinearReport linear_{};
   std::size_t clipped_ = 0;  ///< vertices that the start-up held back in this step
   std::vector<double> q_, residual_, step_, right_, blocks_, speeds_;
   std::vector<double> trial_, trial_residual_;
-  PerId<VertexId, State> trial_state_;
+  PerId<VertexId, State<dim>> trial_state_;
   double first_norm_ = 0, norm_ = 0, trial_norm_ = 0;  ///< of this phase's residual
   double best_norm_ = 1e300;
   int waited_ = 0;
@@ -275,6 +284,12 @@ class ImplicitMarch {
 
 }  // namespace
 
-Verdict march_implicit(March& march) { return ImplicitMarch(march).run(); }
+template <int dim>
+Verdict march_implicit(March<dim>& march) {
+  return ImplicitMarch<dim>(march).run();
+}
+
+template Verdict march_implicit(March<2>&);
+template Verdict march_implicit(March<3>&);
 
 }  // namespace leonhard::solver

@@ -47,14 +47,11 @@ LEONHARD_INLINE T magnitude(const T& x) {
 
 /// The same number in every lane.
 template <class T>
-LEONHARD_INLINE T constant(double x);
-template <>
-[[gnu::always_inline]] inline double constant<double>(double x) {
-  return x;
-}
-template <>
-[[gnu::always_inline]] inline Lanes constant<Lanes>(double x) {
-  return Lanes{x, x, x, x};
+LEONHARD_INLINE T constant(double x) {
+  if constexpr (__is_same(T, Lanes))
+    return Lanes{x, x, x, x};
+  else
+    return T(x);
 }
 
 LEONHARD_INLINE Lanes load(const double* p) { return *reinterpret_cast<const LanesUnaligned*>(p); }

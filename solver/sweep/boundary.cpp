@@ -5,115 +5,204 @@
 #include <cmath>
 #include <numbers>
 
-#include "leonhard/solver/flux/jacobian.hpp"
+#include "leonhard/solver/flux/roe.hpp"
+#include "leonhard/solver/support/axes.hpp"
+#include "leonhard/solver/support/dual_number.hpp"
 
 namespace leonhard::solver {
 namespace {
 
-Primitive<2, double> primitive(const State& w) { return {w.rho, {{w.u, w.v}}, w.p}; }
-Vector<2, double> normal(const BoundaryEdge& edge) { return {{edge.nx, edge.ny}}; }
-Conserved conserved_flux(const Components<2, double>& f) { return {f.e[0], f.e[1], f.e[2], f.e[3]}; }
+template <int dim, class T>
+Vector<dim, T> vector_of_axes(const Axes<dim>& a) {
+  Vector<dim, T> v;
+  for (std::size_t i = 0; i < dim; ++i) v.e[i] = T(a[i]);
+  return v;
+}
+
+template <int dim, class T>
+Primitive<dim, T> primitive(const State<dim>& w) {
+  return {T(w.rho), vector_of_axes<dim, T>(velocity(w)), T(w.p)};
+}
+
+template <int dim, class T>
+Components<dim, T> pressure_alone(const Primitive<dim, T>& w, const Vector<dim, T>& n) {
+  Components<dim, T> f;
+  f.e[0] = f.e[dim + 1] = T(0.0);
+  for (int i = 0; i < dim; ++i) f.e[1 + i] = w.p * n.e[i];
+  return f;
+}
+
+/// Where total pressure, total temperature and direction are given, the outgoing wave tells the rest: with the velocity V along
+/// the direction, cosine the inward part of the direction, the outside solves
+///   2 c / (gamma - 1) - cosine V = J, the inside's,   c^2 + (gamma - 1) / 2 V^2 = c0^2
+/// (J.-R. Carlson, NASA TM 2011-217181, section 2.7): a quadratic for c.
+template <int dim, class T>
+Primitive<dim, T> inflow_state(const BoundaryConstants& k, const BoundaryCondition<dim>& condition, const Primitive<dim, T>& w,
+                               const Axes<dim>& normal) {
+  const double gamma = k.gas.gamma, g = gamma - 1, head = 1 + 0.5 * g * k.free_stream.mach * k.free_stream.mach;
+  const double c02 = head * condition.total_temperature;
+  const double p0 = std::pow(head, gamma / g) / gamma * condition.total_pressure;
+  Axes<dim> along = normal;
+  for (double& component : along) component = -component;
+  if (condition.direction) along = axes((1 / norm(*condition.direction)) * *condition.direction);
+  const double cosine = -dot(along, normal), q = cosine * cosine;
+  const T wave = 2.0 / g * sound_speed(gamma, w) + dot(w.velocity, vector_of_axes<dim, T>(normal));
+  const double a = 2 * q / g + 4 / (g * g);
+  const T b = (-4.0 / g) * wave, c = wave * wave - 2.0 * q * c02 / g;
+  const T speed_of_sound = (root(larger<T>(b * b - 4.0 * a * c, T(1e-300))) - b) / (2.0 * a);
+  const T c2 = speed_of_sound * speed_of_sound, speed = (2.0 / g * speed_of_sound - wave) / cosine;
+  Primitive<dim, T> outside;
+  outside.p = p0 * power(T(c2 / c02), gamma / g);
+  outside.rho = gamma * outside.p / c2;
+  for (int i = 0; i < dim; ++i) outside.velocity.e[i] = along[static_cast<std::size_t>(i)] * speed;
+  return outside;
+}
+
+/// The pressure is given, entropy, tangential velocity and the outgoing wave come from inside; all of it where the flow leaves
+/// faster than sound.
+template <int dim, class T>
+Primitive<dim, T> outflow_state(const BoundaryConstants& k, double pressure, const Primitive<dim, T>& w,
+                                const Vector<dim, T>& n) {
+  const double gamma = k.gas.gamma;
+  const T c = sound_speed(gamma, w), vn = dot(w.velocity, n);
+  if (vn > c) return w;
+  Primitive<dim, T> outside;
+  outside.p = T(pressure / gamma);
+  outside.rho = w.rho * power(T(outside.p / w.p), 1 / gamma);
+  const T change = 2.0 / (gamma - 1) * (c - sound_speed(gamma, outside));
+  for (int i = 0; i < dim; ++i) outside.velocity.e[i] = w.velocity.e[i] + change * n.e[i];
+  return outside;
+}
+
+/// The flux, for any number type.
+template <int dim, class T>
+Components<dim, T> flux_out(const BoundaryConstants& k, const BoundaryCondition<dim>& condition, const BoundaryCorner<dim>& corner,
+                            const Primitive<dim, T>& w) {
+  const Vector<dim, T> n = vector_of_axes<dim, T>(corner.n);
+  switch (condition.kind) {
+    case BoundaryKind::slip_wall:
+    case BoundaryKind::no_slip_wall:
+    case BoundaryKind::symmetry:
+      break;
+    case BoundaryKind::far_field:
+      return flux_roe({k.gas.gamma, k.entropy_fix, k.free_stream.mach}, w, primitive<dim, T>(corner.outer), n);
+    case BoundaryKind::supersonic_inflow:
+      return euler_flux(k.gas.gamma, primitive<dim, T>(corner.outer), n);
+    case BoundaryKind::supersonic_outflow:
+      return euler_flux(k.gas.gamma, w, n);
+    case BoundaryKind::subsonic_inflow:
+      return euler_flux(k.gas.gamma, inflow_state<dim, T>(k, condition, w, corner.n), n);
+    case BoundaryKind::pressure_outflow:
+      return euler_flux(k.gas.gamma, outflow_state(k, condition.pressure, w, n), n);
+  }
+  return pressure_alone(w, n);
+}
+
+template <int dim>
+BoundaryFacet<dim> make_facet(const FlowProblem<dim>& problem, const DualFacet<dim>& from, bool vortex) {
+  BoundaryFacet<dim> facet;
+  facet.condition = problem.boundary.at(from.marker);
+  facet.corner_count = static_cast<int>(from.corners.size());
+  facet.own_share = corner_share(from);
+  for (std::size_t i = 0; i < from.corners.size(); ++i) {
+    BoundaryCorner<dim>& corner = facet.corner[i];
+    corner.vertex = from.corners[i];
+    corner.size = norm(from.shares[i]);
+    corner.n = axes((1 / corner.size) * from.shares[i]);
+    const auto at = problem.dual.points[corner.vertex];
+    corner.outer = problem.outer_state ? problem.outer_state(at) : free_stream_state<dim>(problem.gas, problem.free_stream);
+    if constexpr (dim == 2)
+      if (vortex && facet.condition.kind == BoundaryKind::far_field)
+        corner.vortex = axes(vortex_velocity(problem.free_stream, problem.vortex_centre, problem.reference.length, at));
+  }
+  return facet;
+}
 
 }  // namespace
 
-bool follows_lift(const EulerProblem& problem) {
-  const bool far = std::any_of(problem.boundary.begin(), problem.boundary.end(),
-                               [](const auto& entry) { return entry.second == BoundaryKind::far_field; });
-  const bool wall = std::any_of(problem.boundary.begin(), problem.boundary.end(),
-                                [](const auto& entry) { return entry.second == BoundaryKind::slip_wall; });
-  return far && wall && problem.vortex_correction && !problem.outer_state && problem.free_stream.mach < 1;
+template <int dim>
+bool follows_lift(const FlowProblem<dim>& problem) {
+  if (dim == 3) return false;
+  const auto any = [&](const auto& condition) {
+    return std::ranges::any_of(problem.boundary, [&](const auto& entry) { return condition(entry.second.kind); });
+  };
+  return any([](BoundaryKind kind) { return kind == BoundaryKind::far_field; }) && any(is_wall) && problem.vortex_correction &&
+         !problem.outer_state && problem.free_stream.mach < 1;
 }
 
 Vec2 vortex_velocity(FreeStream free, Point2 centre, double length, Point2 at) {
   const Vec2 arm = at - centre;
   const double r2 = std::max(dot(arm, arm), 1e-300), r = std::sqrt(r2);
-  const double sine = cross(Vec2{std::cos(free.alpha_rad), std::sin(free.alpha_rad)}, arm) / r;
+  const double sine = cross(vector_of(direction<2>(free)), arm) / r;
   const double m2 = free.mach * free.mach;
   const double circulation = 0.5 * length * free.mach;
   const double speed = circulation * std::sqrt(1 - m2) / (2 * std::numbers::pi * r * (1 - m2 * sine * sine));
   return {speed * arm.y / r, -speed * arm.x / r};
 }
 
-State isentropic_state(Gas gas, FreeStream free, Vec2 extra) {
-  const State far = free_stream_state(gas, free);
+State<2> isentropic_state(Gas gas, FreeStream free, Vec2 extra) {
+  const State<2> far = free_stream_state<2>(gas, free);
   const double u = far.u + extra.x, v = far.v + extra.y, g = gas.gamma - 1;
   const double c2 = std::max(1 + 0.5 * g * (free.mach * free.mach - u * u - v * v), 1e-3);
   const double rho = std::pow(c2, 1 / g);
   return {rho, u, v, rho * c2 / gas.gamma};
 }
 
-std::vector<BoundaryEdge> make_boundary(const EulerProblem& problem) {
+template <int dim>
+std::vector<BoundaryFacet<dim>> make_boundary(const FlowProblem<dim>& problem) {
   const bool vortex = follows_lift(problem);
-  std::vector<BoundaryEdge> edges;
-  edges.reserve(problem.dual.boundary.size());
-  for (const DualFacet<2>& facet : problem.dual.boundary) {
-    BoundaryEdge edge;
-    edge.kind = problem.boundary.at(facet.marker);
-    edge.end[0] = facet.corners[0], edge.end[1] = facet.corners[1];
-    edge.own_share = facet.cell == CellKind::triangle ? 5.0 / 6.0 : 1.0;
-    const Point2 at[2] = {problem.dual.points[edge.end[0]], problem.dual.points[edge.end[1]]};
-    const Vec2 along = at[1] - at[0];
-    const double length = norm(along);
-    edge.nx = along.y / length, edge.ny = -along.x / length, edge.half_length = 0.5 * length;
-    for (int i = 0; i < 2; ++i) {
-      edge.outer[i] = problem.outer_state ? problem.outer_state(at[i])
-                                          : free_stream_state(problem.gas, problem.free_stream);
-      if (vortex && edge.kind == BoundaryKind::far_field)
-        edge.vortex[i] =
-            vortex_velocity(problem.free_stream, problem.vortex_centre, problem.reference.length, at[i]);
-    }
-    edges.push_back(edge);
-  }
-  return edges;
+  std::vector<BoundaryFacet<dim>> facets;
+  facets.reserve(problem.dual.boundary.size());
+  for (const DualFacet<dim>& facet : problem.dual.boundary) facets.push_back(make_facet(problem, facet, vortex));
+  return facets;
 }
 
-void set_far_field_lift(const EulerProblem& problem, double cl, std::span<BoundaryEdge> edges) {
-  for (BoundaryEdge& edge : edges) {
-    if (edge.kind != BoundaryKind::far_field) continue;
-    for (int i = 0; i < 2; ++i)
-      edge.outer[i] = isentropic_state(problem.gas, problem.free_stream, cl * edge.vortex[i]);
-  }
+template <int dim>
+void set_far_field_lift(const FlowProblem<dim>& problem, double cl, std::span<BoundaryFacet<dim>> facets) {
+  if constexpr (dim == 2)
+    for (BoundaryFacet<2>& facet : facets)
+      if (facet.condition.kind == BoundaryKind::far_field)
+        for (BoundaryCorner<2>& corner : facet.corner)
+          corner.outer = isentropic_state(problem.gas, problem.free_stream, cl * vector_of(corner.vortex));
 }
 
-Conserved boundary_flux(Gas gas, double entropy_fix, const BoundaryEdge& edge, int end, const State& w) {
-  switch (edge.kind) {
-    case BoundaryKind::slip_wall:
-    case BoundaryKind::symmetry:
-      return {0, w.p * edge.nx, w.p * edge.ny, 0};
-    case BoundaryKind::far_field:
-      return conserved_flux(
-          flux_roe({gas.gamma, entropy_fix}, primitive(w), primitive(edge.outer[end]), normal(edge)));
-    case BoundaryKind::supersonic_inflow:
-    case BoundaryKind::supersonic_outflow:
-      break;
-  }
-  const State& outside = edge.kind == BoundaryKind::supersonic_inflow ? edge.outer[end] : w;
-  return conserved_flux(euler_flux(gas.gamma, primitive(outside), normal(edge)));
+template <int dim>
+Conserved<dim> boundary_flux(const BoundaryConstants& constants, const BoundaryCondition<dim>& condition,
+                             const BoundaryCorner<dim>& corner, const State<dim>& w) {
+  const Components<dim, double> f = flux_out(constants, condition, corner, primitive<dim, double>(w));
+  Conserved<dim> out;
+  std::copy_n(f.e, dim + 2, out.begin());
+  return out;
 }
 
-void add_boundary_jacobian(Gas gas, double entropy_fix, const BoundaryEdge& edge, int end, const State& w,
-                           double factor, double* block) {
-  Block<2, double> by_w{}, by_outer{};
-  const Primitive<2, double> inside = primitive(w);
-  switch (edge.kind) {
-    case BoundaryKind::slip_wall:
-    case BoundaryKind::symmetry: {
-      const Components<2, double> by_p = pressure_gradient(gas.gamma, inside.velocity);
-      for (int j = 0; j < 4; ++j) by_w.m[1][j] = by_p.e[j] * edge.nx, by_w.m[2][j] = by_p.e[j] * edge.ny;
-      break;
-    }
-    case BoundaryKind::far_field:
-      flux_roe_jacobians({gas.gamma, entropy_fix}, inside, primitive(edge.outer[end]), normal(edge), by_w,
-                         by_outer);
-      break;
-    case BoundaryKind::supersonic_inflow:
-      return;
-    case BoundaryKind::supersonic_outflow:
-      euler_jacobian(gas.gamma, inside, normal(edge)).add_to(by_w, 1.0);
-      break;
-  }
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i) block[4 * j + i] += factor * by_w.m[i][j];
+template <int dim>
+void add_boundary_jacobian(const BoundaryConstants& constants, const BoundaryCondition<dim>& condition,
+                           const BoundaryCorner<dim>& corner, const State<dim>& w, double factor, double* block) {
+  constexpr int n = dim + 2;
+  using Number = DualNumber<n>;
+  const Conserved<dim> q = conserved_of(constants.gas, w);
+  const Number rho = Number::variable(q[0], 0);
+  Primitive<dim, Number> inside;
+  inside.rho = rho;
+  for (int i = 0; i < dim; ++i)
+    inside.velocity.e[i] = Number::variable(q[static_cast<std::size_t>(1 + i)], 1 + i) / rho;
+  inside.p = (constants.gas.gamma - 1) *
+             (Number::variable(q[dim + 1], dim + 1) - 0.5 * rho * dot(inside.velocity, inside.velocity));
+  const Components<dim, Number> f = flux_out(constants, condition, corner, inside);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) block[n * j + i] += factor * f.e[i].by[j];
 }
+
+#define LEONHARD_BOUNDARY(dim)                                                                                       \
+  template bool follows_lift(const FlowProblem<dim>&);                                                               \
+  template std::vector<BoundaryFacet<dim>> make_boundary(const FlowProblem<dim>&);                                   \
+  template void set_far_field_lift(const FlowProblem<dim>&, double, std::span<BoundaryFacet<dim>>);                  \
+  template Conserved<dim> boundary_flux(const BoundaryConstants&, const BoundaryCondition<dim>&,                     \
+                                        const BoundaryCorner<dim>&, const State<dim>&);                              \
+  template void add_boundary_jacobian(const BoundaryConstants&, const BoundaryCondition<dim>&,                       \
+                                      const BoundaryCorner<dim>&, const State<dim>&, double, double*);
+LEONHARD_BOUNDARY(2)
+LEONHARD_BOUNDARY(3)
+#undef LEONHARD_BOUNDARY
 
 }  // namespace leonhard::solver

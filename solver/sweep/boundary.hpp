@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -8,23 +9,43 @@
 
 namespace leonhard::solver {
 
-/// One boundary edge as the scheme sees it. Its half at each end carries a share of that end's flux and the rest of the
-/// other's: before a triangle 5/6 and 1/6, which makes the scheme exact for linear fluxes (as the Galerkin method; H.
-/// Nishikawa, Journal of Computational Physics 281, 2015, section 4); before a quadrilateral all is the end's own, exact for
-/// linear fluxes on rectangles of any spacing.
-struct BoundaryEdge {
-  VertexId end[2];
-  BoundaryKind kind{};
-  double nx{}, ny{};  ///< unit normal, outward
-  double half_length{};
-  double own_share{};
-  State outer[2];  ///< outside each end (far field, supersonic inflow)
-  Vec2 vortex[2];  ///< velocity at each end per unit lift coefficient (far field)
+/// What the scheme sees of a boundary facet at one of its corners.
+template <int dim>
+struct BoundaryCorner {
+  VertexId vertex;
+  Axes<dim> n{};      ///< unit normal, outward
+  double size{};      ///< of the corner's share of the facet
+  State<dim> outer{};  ///< outside (far field, supersonic inflow)
+  Axes<2> vortex{};   ///< velocity per unit lift coefficient (far field of the plane)
+};
+
+/// How much of its own flux a corner's share of the facet carries; the others carry the rest in equal parts. Before a
+/// triangle 5/6, before a tetrahedron 6/8, which makes the scheme exact for linear fluxes (as the Galerkin
+/// method; H. Nishikawa, Journal of Computational Physics 281, 2015, section 4); before other cells 1, exact for linear fluxes
+/// on rectangles and boxes of any spacing.
+template <int dim>
+[[nodiscard]] double corner_share(const DualFacet<dim>& facet) {
+  return facet.cell != simplex_kind<dim> ? 1.0 : dim == 2 ? 5.0 / 6.0 : 6.0 / 8.0;
+}
+
+/// One boundary facet.
+template <int dim>
+struct BoundaryFacet {
+  BoundaryCondition<dim> condition;
+  int corner_count{};
+  double own_share{};  ///< see corner_share
+  std::array<BoundaryCorner<dim>, MixedFacet<dim>::most_corners> corner{};
+
+  [[nodiscard]] std::span<const BoundaryCorner<dim>> corners() const {
+    return {corner.data(), static_cast<std::size_t>(corner_count)};
+  }
+  [[nodiscard]] double other_share() const { return (1 - own_share) / (corner_count - 1); }
 };
 
 /// The boundary of a problem, one entry per dual.boundary, outer states those of the free stream or of
 /// problem.outer_state.
-[[nodiscard]] std::vector<BoundaryEdge> make_boundary(const EulerProblem& problem);
+template <int dim>
+[[nodiscard]] std::vector<BoundaryFacet<dim>> make_boundary(const FlowProblem<dim>& problem);
 
 /// Velocity that a point vortex at `centre` adds at `at`, per unit lift coefficient: circulation
 /// cl length |V_inf| / 2, clockwise, compressed by the Prandtl-Glauert rule (Thomas and Salas, AIAA Journal 24(7), 1986,
@@ -32,20 +53,31 @@ struct BoundaryEdge {
 [[nodiscard]] Vec2 vortex_velocity(FreeStream free, Point2 centre, double length, Point2 at);
 
 /// The free stream with the velocity `extra` added, at the same total enthalpy and entropy.
-[[nodiscard]] State isentropic_state(Gas gas, FreeStream free, Vec2 extra);
+[[nodiscard]] State<2> isentropic_state(Gas gas, FreeStream free, Vec2 extra);
 
-/// Set the outer states of far-field edges to the vortex of a lift coefficient.
-void set_far_field_lift(const EulerProblem& problem, double cl, std::span<BoundaryEdge> edges);
+/// Set the outer states of far-field facets to the vortex of a lift coefficient; nothing in space.
+template <int dim>
+void set_far_field_lift(const FlowProblem<dim>& problem, double cl, std::span<BoundaryFacet<dim>> facets);
 
 /// Whether the far field of this problem follows the lift.
-[[nodiscard]] bool follows_lift(const EulerProblem& problem);
+template <int dim>
+[[nodiscard]] bool follows_lift(const FlowProblem<dim>& problem);
 
-/// Flux out through a unit length of the boundary with the state w inside at one end.
-[[nodiscard]] Conserved boundary_flux(Gas gas, double entropy_fix, const BoundaryEdge& edge, int end,
-                                      const State& w);
+/// What the boundary's fluxes know besides the states.
+struct BoundaryConstants {
+  Gas gas{};
+  double entropy_fix = 0.05;
+  FreeStream free_stream{};
+};
 
-/// Add factor times the derivative of boundary_flux by the conservative variables of w to a block, column by column.
-void add_boundary_jacobian(Gas gas, double entropy_fix, const BoundaryEdge& edge, int end, const State& w,
-                           double factor, double* block);
+/// Flux out through a unit of the boundary with the state w inside at one corner.
+template <int dim>
+[[nodiscard]] Conserved<dim> boundary_flux(const BoundaryConstants& constants, const BoundaryCondition<dim>& condition,
+                                           const BoundaryCorner<dim>& corner, const State<dim>& w);
+
+/// Add factor times the derivative of boundary_flux by the conservative variables of w, exact, to a block, column by column.
+template <int dim>
+void add_boundary_jacobian(const BoundaryConstants& constants, const BoundaryCondition<dim>& condition,
+                           const BoundaryCorner<dim>& corner, const State<dim>& w, double factor, double* block);
 
 }  // namespace leonhard::solver

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/solver/sweep/edge_plan.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "leonhard/graph/partition.hpp"
+#include "leonhard/solver/support/axes.hpp"
 
 namespace leonhard::solver {
 namespace {
 
 constexpr std::size_t lanes = 4;
 
-void list_neighbours(const EdgeList& edges, EdgePlan& plan) {
+template <int dim>
+void list_neighbours(const EdgeList& edges, EdgePlan<dim>& plan) {
   plan.neighbours = collect_rows<std::uint32_t>(plan.vertex_count, [&](const auto& add) {
     for (const auto& [a, b] : edges.ends) {
       add(a.index(), static_cast<std::uint32_t>(b.index()));
@@ -28,39 +31,53 @@ void list_neighbours(const EdgeList& edges, EdgePlan& plan) {
   }
 }
 
+template <int dim>
+using Matrix = Eigen::Matrix<double, dim, dim>;
+template <int dim>
+using Column = Eigen::Matrix<double, dim, 1>;
+
+/// The inverse of a symmetric matrix that is not negative; where it is singular, the inverse on its range.
+template <int dim>
+Matrix<dim> pseudo_inverse(const Matrix<dim>& m) {
+  const double trace = m.trace(), scale = dim == 2 ? trace * trace : trace * trace * trace;
+  if (m.determinant() > 1e-24 * scale) return m.inverse();
+  const Eigen::SelfAdjointEigenSolver<Matrix<dim>> parts(m);
+  Column<dim> inverse = parts.eigenvalues();
+  for (double& value : inverse) value = value > 1e-12 * trace ? 1 / value : 0;
+  return parts.eigenvectors() * inverse.asDiagonal() * parts.eigenvectors().transpose();
+}
+
 /// Least-squares weights of one vertex: rows of the pseudo-inverse of the matrix of weighted edge vectors.
-void fit_gradient(const MeshDual<2>& dual, EdgePlan& plan, std::uint32_t v) {
-  const Point2 here = dual.points[VertexId::from(v)];
-  double xx = 0, xy = 0, yy = 0;
+template <int dim>
+void fit_gradient(const MeshDual<dim>& dual, EdgePlan<dim>& plan, std::uint32_t v) {
+  const auto here = dual.points[VertexId::from(v)];
   const std::uint32_t first = plan.neighbours.offsets()[v], last = plan.neighbours.offsets()[v + 1];
   const auto edge_vector = [&](std::uint32_t i) {
-    return dual.points[VertexId::from(plan.neighbours.links()[i])] - here;
+    const Axes<dim> d = axes(dual.points[VertexId::from(plan.neighbours.links()[i])] - here);
+    return Column<dim>(d.data());
   };
+  Matrix<dim> sum = Matrix<dim>::Zero();
   for (std::uint32_t i = first; i < last; ++i) {
-    const Vec2 d = edge_vector(i);
-    const double w2 = 1 / dot(d, d);
-    xx += w2 * d.x * d.x, xy += w2 * d.x * d.y, yy += w2 * d.y * d.y;
+    const Column<dim> d = edge_vector(i);
+    sum += d * d.transpose() / d.squaredNorm();
   }
-  const double determinant = xx * yy - xy * xy, trace = xx + yy;
-  const bool on_a_line = determinant <= 1e-24 * trace * trace;
+  const Matrix<dim> inverse = pseudo_inverse<dim>(sum);
   for (std::uint32_t i = first; i < last; ++i) {
-    const Vec2 d = edge_vector(i);
-    const double w2 = 1 / dot(d, d);
-    StencilSlot& slot = plan.slot[i];
-    slot.half_x = 0.5 * d.x, slot.half_y = 0.5 * d.y;
-    slot.weight_x = w2 * (on_a_line ? d.x / trace : (yy * d.x - xy * d.y) / determinant);
-    slot.weight_y = w2 * (on_a_line ? d.y / trace : (xx * d.y - xy * d.x) / determinant);
+    const Column<dim> d = edge_vector(i), weight = inverse * d / d.squaredNorm();
+    for (int j = 0; j < dim; ++j) plan.slot[i].half[j] = 0.5 * d[j], plan.slot[i].weight[j] = weight[j];
   }
 }
 
-void choose_parts(const MeshDual<2>& dual, EdgePlan& plan) {
+template <int dim>
+void choose_parts(const MeshDual<dim>& dual, EdgePlan<dim>& plan) {
   const auto count =
-      static_cast<std::uint32_t>(std::max<std::size_t>(1, plan.vertex_count / EdgePlan::vertices_per_part));
+      static_cast<std::uint32_t>(std::max<std::size_t>(1, plan.vertex_count / EdgePlan<dim>::vertices_per_part));
   plan.part_of = graph::recursive_coordinate_bisection(dual.points.flat(), count).part_of;
   plan.parts.assign(count, PartRange{});
 }
 
-void deal_out_vertices(EdgePlan& plan) {
+template <int dim>
+void deal_out_vertices(EdgePlan<dim>& plan) {
   for (const std::uint32_t part : plan.part_of) ++plan.parts[part].vertex_end;
   std::uint32_t sum = 0;
   for (PartRange& part : plan.parts) {
@@ -74,9 +91,10 @@ void deal_out_vertices(EdgePlan& plan) {
 }
 
 /// One part's list of edges, filled up to whole batches.
+template <int dim>
 class PartEdges {
  public:
-  PartEdges(const MeshDual<2>& dual, EdgePlan& plan) : dual_(dual), plan_(plan) {}
+  PartEdges(const MeshDual<dim>& dual, EdgePlan<dim>& plan) : dual_(dual), plan_(plan) {}
 
   void add(std::uint32_t part, EdgeId edge, VertexId from, VertexId to) {
     const auto a = static_cast<std::uint32_t>(from.index()), b = static_cast<std::uint32_t>(to.index());
@@ -92,16 +110,15 @@ class PartEdges {
       ends.block_bb = plan_.diagonal_block(b);
       ends.block_ba = plan_.neighbour_block(b, plan_.slot_to(b, a));
     }
-    const Vec2 normal = dual_.face[edge], half = 0.5 * (dual_.points[to] - dual_.points[from]);
-    const double length = norm(normal);
-    push(ends, length > 0 ? (1 / length) * normal : Vec2{1, 0}, length, half);
+    const Axes<dim> normal = axes(dual_.face[edge]), d = axes(dual_.points[to] - dual_.points[from]);
+    push(ends, normal, d);
   }
 
   void pad(std::uint32_t part) {
     while (plan_.ends.size() % lanes != 0) {
       EdgeEnds ends = rubbish(part);
       ends.a = ends.b = plan_.part_vertices[plan_.parts[part].vertex_begin];
-      push(ends, {1, 0}, 0, {0, 0});
+      push(ends, {}, {});
     }
   }
 
@@ -111,23 +128,31 @@ class PartEdges {
     const auto block = static_cast<std::uint32_t>(plan_.block_count() + part);
     return {0, 0, line, line, block, block, block, block};
   }
-  void push(const EdgeEnds& ends, Vec2 unit, double length, Vec2 half) {
+  /// A face of size 0 has the unit normal along the edge, and an edge of no length (of the padding) one axis, so that nothing
+  /// divides by zero.
+  void push(const EdgeEnds& ends, const Axes<dim>& normal, const Axes<dim>& d) {
     const std::size_t lane = plan_.ends.size() % lanes;
     plan_.ends.push_back(ends);
     if (lane == 0) plan_.metric.emplace_back();
-    EdgeMetric& m = plan_.metric.back();
-    m.nx[lane] = unit.x, m.ny[lane] = unit.y, m.length[lane] = length, m.half_x[lane] = half.x,
-    m.half_y[lane] = half.y;
+    EdgeMetric<dim>& m = plan_.metric.back();
+    const double size = norm(vector_of(normal)), length = norm(vector_of(d));
+    m.size[lane] = size;
+    for (std::size_t j = 0; j < dim; ++j) {
+      const double axis = j == 0 ? 1 : 0;
+      m.n[j][lane] = size > 0 ? normal[j] / size : length > 0 ? d[j] / length : axis;
+      m.half[j][lane] = 0.5 * (length > 0 ? d[j] : axis);
+    }
   }
 
-  const MeshDual<2>& dual_;
-  EdgePlan& plan_;
+  const MeshDual<dim>& dual_;
+  EdgePlan<dim>& plan_;
 };
 
-void list_edges(const MeshDual<2>& dual, EdgePlan& plan) {
+template <int dim>
+void list_edges(const MeshDual<dim>& dual, EdgePlan<dim>& plan) {
   const std::vector<std::uint32_t>& part_of = plan.part_of;
   const PerId<EdgeId, std::array<VertexId, 2>>& edge_ends = dual.edges.ends;
-  PartEdges list(dual, plan);
+  PartEdges<dim> list(dual, plan);
   std::vector<std::vector<EdgeId>> of_part(plan.parts.size());
   for (const EdgeId edge : edge_ends.ids()) {
     const auto [a, b] = edge_ends[edge];
@@ -142,13 +167,14 @@ void list_edges(const MeshDual<2>& dual, EdgePlan& plan) {
   }
 }
 
-void list_boundary(const MeshDual<2>& dual, EdgePlan& plan) {
+template <int dim>
+void list_boundary(const MeshDual<dim>& dual, EdgePlan<dim>& plan) {
   const std::vector<std::uint32_t>& part_of = plan.part_of;
   for (std::uint32_t part = 0; part < plan.parts.size(); ++part) {
     plan.parts[part].boundary_begin = static_cast<std::uint32_t>(plan.part_boundary.size());
     for (std::uint32_t k = 0; k < dual.boundary.size(); ++k) {
-      const MixedFacet<2>& edge = dual.boundary[k].corners;
-      if (part_of[edge[0].index()] == part || part_of[edge[1].index()] == part)
+      const MixedFacet<dim>& corners = dual.boundary[k].corners;
+      if (std::ranges::any_of(corners, [&](VertexId v) { return part_of[v.index()] == part; }))
         plan.part_boundary.push_back(k);
     }
     plan.parts[part].boundary_end = static_cast<std::uint32_t>(plan.part_boundary.size());
@@ -157,13 +183,15 @@ void list_boundary(const MeshDual<2>& dual, EdgePlan& plan) {
 
 }  // namespace
 
-std::uint32_t EdgePlan::slot_to(std::uint32_t v, std::uint32_t other) const {
+template <int dim>
+std::uint32_t EdgePlan<dim>::slot_to(std::uint32_t v, std::uint32_t other) const {
   const auto row = neighbours[v];
   return neighbours.offsets()[v] +
          static_cast<std::uint32_t>(std::ranges::lower_bound(row, other) - row.begin());
 }
 
-SweepMesh EdgePlan::view() const {
+template <int dim>
+SweepMesh<dim> EdgePlan<dim>::view() const {
   return {neighbours.offsets().data(),
           neighbours.links().data(),
           slot.data(),
@@ -172,10 +200,11 @@ SweepMesh EdgePlan::view() const {
           metric.data()};
 }
 
-EdgePlan make_edge_plan(const MeshDual<2>& dual, std::span<const std::uint32_t> part_of, std::uint32_t parts) {
-  EdgePlan plan;
+template <int dim>
+EdgePlan<dim> make_edge_plan(const MeshDual<dim>& dual, std::span<const std::uint32_t> part_of, std::uint32_t parts) {
+  EdgePlan<dim> plan;
   plan.vertex_count = dual.vertex_count();
-  plan.area = dual.volume.flat();
+  plan.volume = dual.volume.flat();
   list_neighbours(dual.edges, plan);
   plan.slot.resize(plan.neighbours.link_count());
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) fit_gradient(dual, plan, v);
@@ -190,5 +219,10 @@ EdgePlan make_edge_plan(const MeshDual<2>& dual, std::span<const std::uint32_t> 
   list_boundary(dual, plan);
   return plan;
 }
+
+template struct EdgePlan<2>;
+template struct EdgePlan<3>;
+template EdgePlan<2> make_edge_plan(const MeshDual<2>&, std::span<const std::uint32_t>, std::uint32_t);
+template EdgePlan<3> make_edge_plan(const MeshDual<3>&, std::span<const std::uint32_t>, std::uint32_t);
 
 }  // namespace leonhard::solver

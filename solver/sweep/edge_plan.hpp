@@ -17,24 +17,25 @@ namespace leonhard::solver {
 /// bisection, a number that depends on the mesh alone. A part lists every edge that touches one of its vertices, so an edge between two parts is
 /// listed, and its flux computed, twice; each part adds to its own vertices only. The sums of a vertex are therefore
 /// taken in one order whatever the parts and the number of threads: the same bits.
+template <int dim>
 struct EdgePlan {
   static constexpr std::size_t vertices_per_part = 2048;
 
   std::size_t vertex_count{};
-  std::vector<double> area;  ///< of each control volume
+  std::vector<double> volume;  ///< of each control volume
   CompressedRows<std::uint32_t>
       neighbours;                 ///< row v: neighbours of v, ascending. A slot is a place among all links
-  std::vector<StencilSlot> slot;  ///< one a neighbour
+  std::vector<StencilSlot<dim>> slot;  ///< one a neighbour
   std::vector<std::uint32_t> diagonal;  ///< one a vertex: see diagonal_block
 
   std::vector<PartRange> parts;
   std::vector<std::uint32_t> part_of;        ///< one a vertex
   std::vector<std::uint32_t> part_vertices;  ///< of part 0, part 1, ...; ascending in each
-  std::vector<EdgeEnds> ends;                ///< padded to whole batches with edges of length 0
-  std::vector<EdgeMetric> metric;            ///< one a batch
+  std::vector<EdgeEnds> ends;                ///< padded to whole batches with edges of size 0
+  std::vector<EdgeMetric<dim>> metric;       ///< one a batch
   std::vector<std::uint32_t> part_boundary;  ///< entries of dual.boundary that touch the part
 
-  [[nodiscard]] SweepMesh view() const;
+  [[nodiscard]] SweepMesh<dim> view() const;
   /// Vertices plus one line of rubbish a part, for what an edge would add to a vertex of another part.
   [[nodiscard]] std::size_t padded_count() const { return vertex_count + rubbish_stride * parts.size(); }
   /// Position of the diagonal block of row v, and of the block of a neighbour slot s of v, in a block matrix whose rows
@@ -49,12 +50,14 @@ struct EdgePlan {
 };
 
 /// Gradients are least squares over the edge neighbours, each equation weighted by the inverse of the distance
-/// (Barth's notes 4.2; exact for linear functions); a vertex whose neighbours lie on one line gets the gradient along it.
+/// (Barth's notes 4.2; exact for linear functions); a vertex whose neighbours lie on one line, or in space on one plane,
+/// gets the gradient along it.
 ///
 /// part_of  one a vertex, each below `parts` (a part may be empty); an empty list: parts of the plan's own making
 /// dual     checked (check_problem)
 /// Cost O(vertices log parts).
-[[nodiscard]] EdgePlan make_edge_plan(const MeshDual<2>& dual, std::span<const std::uint32_t> part_of = {},
-                                      std::uint32_t parts = 0);
+template <int dim>
+[[nodiscard]] EdgePlan<dim> make_edge_plan(const MeshDual<dim>& dual, std::span<const std::uint32_t> part_of = {},
+                                           std::uint32_t parts = 0);
 
 }  // namespace leonhard::solver

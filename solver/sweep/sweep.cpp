@@ -3,11 +3,15 @@
 
 namespace leonhard::solver {
 
-const SweepKernels& best_sweep() {
+template <int dim>
+const SweepKernels<dim>& best_sweep() {
 #if defined(LEONHARD_HAS_AVX2_SWEEP)
-  if (__builtin_cpu_supports("avx2")) return sweep_avx2;
+  if (__builtin_cpu_supports("avx2")) return SweepBuilds<dim>::avx2;
 #endif
-  return sweep_baseline;
+  return SweepBuilds<dim>::baseline;
 }
+
+template const SweepKernels<2>& best_sweep<2>();
+template const SweepKernels<3>& best_sweep<3>();
 
 }  // namespace leonhard::solver

@@ -12,9 +12,10 @@
 namespace leonhard::solver {
 
 /// How a neighbour enters a vertex's gradient, and the way to the middle of the edge between them.
-struct alignas(32) StencilSlot {
-  double weight_x, weight_y;  ///< gradient = sum of weight times (neighbour's value less own)
-  double half_x, half_y;      ///< from the vertex to the edge's midpoint
+template <int dim>
+struct alignas(dim == 2 ? 32 : 16) StencilSlot {
+  double weight[dim];  ///< gradient = sum of weight times (neighbour's value less own)
+  double half[dim];    ///< from the vertex to the edge's midpoint
 };
 
 /// An edge from a to b as one part sees it. into_a and into_b say where its flux is added (b's is subtracted); the
@@ -24,9 +25,10 @@ struct EdgeEnds {
   std::uint32_t block_aa, block_ab, block_bb, block_ba;  ///< likewise in the block matrix
 };
 
-/// Four edges' geometry: unit normal from a to b, length of the dual face, half the vector from a to b.
+/// Four edges' geometry: unit normal from a to b, size of the dual face, half the vector from a to b.
+template <int dim>
 struct alignas(32) EdgeMetric {
-  double nx[4], ny[4], length[4], half_x[4], half_y[4];
+  double n[dim][4], size[4], half[dim][4];
 };
 
 struct PartRange {
@@ -38,13 +40,14 @@ struct PartRange {
 /// Lines between the rubbish entries of two parts: two cache lines, so that threads do not disturb each other.
 inline constexpr std::size_t rubbish_stride = 4;
 
+template <int dim>
 struct SweepMesh {
   const std::uint32_t* offset;
   const std::uint32_t* neighbour;
-  const StencilSlot* slot;
+  const StencilSlot<dim>* slot;
   const std::uint32_t* part_vertices;
   const EdgeEnds* ends;
-  const EdgeMetric* metric;
+  const EdgeMetric<dim>* metric;
 };
 
 struct SweepSettings {
@@ -54,31 +57,54 @@ struct SweepSettings {
   FluxKind flux = FluxKind::roe;
   LimiterKind limiter = LimiterKind::none;
   const double* limiter_scale2 = nullptr;  ///< epsilon^2 of Venkatakrishnan's limiter, one a vertex
+  double viscosity = 0;                    ///< at the free stream's temperature; 0: inviscid
+  double sutherland = -1;                  ///< see Viscosity
+  double inverse_prandtl = 1;
 };
 
-/// One build of the loops. States: 4 doubles a vertex (rho, u, v, p); gradients: 8, d/dx of the four then d/dy.
+/// One build of the loops. States: n = dim + 2 doubles a vertex (rho, velocity, p); gradients: dim rows of n, d/dx of all, then
+/// d/dy ...
+template <int dim>
 struct SweepKernels {
   const char* name;
-  /// Limited gradients of the part's vertices.
-  void (*limited_gradients)(const SweepMesh&, const PartRange&, const SweepSettings&, const double* state,
-                            double* gradient);
-  /// Add the fluxes of the part's edges to `residual` (4 a line). gradient == nullptr: states constant in a cell.
-  void (*fluxes)(const SweepMesh&, const PartRange&, const SweepSettings&, const double* state,
+  /// Limited gradients of the part's vertices; unlimited != nullptr takes those before the limiter.
+  void (*limited_gradients)(const SweepMesh<dim>&, const PartRange&, const SweepSettings&, const double* state,
+                            double* gradient, double* unlimited);
+  /// Add the convective fluxes of the part's edges to `residual` (n a line). gradient == nullptr: states constant in a cell.
+  void (*fluxes)(const SweepMesh<dim>&, const PartRange&, const SweepSettings&, const double* state,
                  const double* gradient, double* residual);
-  /// Add (|Vn| + c) times length of the part's edges to `sum`, one a line.
-  void (*wave_speeds)(const SweepMesh&, const PartRange&, const SweepSettings&, const double* state,
+  /// Add the viscous fluxes likewise. gradient (unlimited) == nullptr: those of the jumps along the edges alone.
+  void (*viscous_fluxes)(const SweepMesh<dim>&, const PartRange&, const SweepSettings&, const double* state,
+                         const double* gradient, double* residual);
+  /// Add (|Vn| + c) times size of the part's edges, and what diffusion adds, to `sum`, one a line.
+  void (*wave_speeds)(const SweepMesh<dim>&, const PartRange&, const SweepSettings&, const double* state,
                       double* sum);
-  /// Add to diagonal blocks and set the others of the first-order Jacobian; blocks of 16, column by column.
-  void (*jacobian)(const SweepMesh&, const PartRange&, const SweepSettings&, const double* state,
+  /// Add to diagonal blocks and set the others of the first-order Jacobian; blocks of n x n, column by column.
+  void (*jacobian)(const SweepMesh<dim>&, const PartRange&, const SweepSettings&, const double* state,
                    double* blocks);
 };
 
-extern const SweepKernels sweep_baseline;
+/// The builds there are.
+template <int dim>
+struct SweepBuilds {
+  static const SweepKernels<dim> baseline;
 #if defined(LEONHARD_HAS_AVX2_SWEEP)
-extern const SweepKernels sweep_avx2;
+  static const SweepKernels<dim> avx2;
+#endif
+};
+template <>
+const SweepKernels<2> SweepBuilds<2>::baseline;
+template <>
+const SweepKernels<3> SweepBuilds<3>::baseline;
+#if defined(LEONHARD_HAS_AVX2_SWEEP)
+template <>
+const SweepKernels<2> SweepBuilds<2>::avx2;
+template <>
+const SweepKernels<3> SweepBuilds<3>::avx2;
 #endif
 
 /// The fastest build that this processor runs.
-[[nodiscard]] const SweepKernels& best_sweep();
+template <int dim>
+[[nodiscard]] const SweepKernels<dim>& best_sweep();
 
 }  // namespace leonhard::solver

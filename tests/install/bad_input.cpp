@@ -618,10 +618,10 @@ void try_draw() {
 #if defined(OUTSIDE_HAS_SOLVER)
 void try_solver() {
   const TriangleMesh mesh = good_mesh();
-  EulerProblem problem{mesh::build_dual(mesh), {}, {}, {{1, BoundaryKind::far_field}}, {}, true, {}, {}};
+  FlowProblem<2> problem{mesh::build_dual(mesh), {}, {}, {{1, BoundaryKind::far_field}}, {}, true, {}, {}};
   const auto solve_with = [&](auto change) {
     return [&, change] {
-      EulerProblem changed = problem;
+      FlowProblem<2> changed = problem;
       SteadyOptions options;
       options.marching = Marching::explicit_multistage;
       change(changed, options);

@@ -34,7 +34,7 @@ class Sampler {
 };
 
 Side from_conserved(const solver::Components<2, double>& q) {
-  const State w = solver::state_of({1.4}, {q.e[0], q.e[1], q.e[2], q.e[3]});
+  const State<2> w = solver::state_of(Gas{1.4}, solver::Conserved<2>{q.e[0], q.e[1], q.e[2], q.e[3]});
   return {w.rho, {{w.u, w.v}}, w.p};
 }
 

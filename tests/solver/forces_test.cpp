@@ -14,7 +14,7 @@ Point2 circle(double turn) {
   return {0.5 + 0.5 * std::cos(angle), 0.5 * std::sin(angle)};
 }
 
-EulerProblem about(const TriangleMesh& mesh, double alpha_rad) {
+FlowProblem<2> about(const TriangleMesh& mesh, double alpha_rad) {
   return {mesh::build_dual(mesh),
           {},
           {0.5, alpha_rad},
@@ -36,9 +36,9 @@ double polygon_area(const SurfaceLine& line) {
 
 TEST_CASE("uniform_pressure_gives_no_force_on_a_closed_body") {
   const TriangleMesh mesh = test::o_mesh(40, 6, 5, 0.1, circle);
-  const EulerProblem problem = about(mesh, 0.3);
+  const FlowProblem<2> problem = about(mesh, 0.3);
   const Forces forces =
-      solver::total(solver::wall_forces(problem, PerId<VertexId, State>(mesh.vertex_count(), {1, 0, 0, 3})));
+      solver::total(solver::wall_forces(problem, PerId<VertexId, State<2>>(mesh.vertex_count(), {1, 0, 0, 3})));
   CHECK(std::abs(forces.cl) < 1e-13);
   CHECK(std::abs(forces.cd) < 1e-13);
   CHECK(std::abs(forces.cm) < 1e-13);
@@ -47,9 +47,9 @@ TEST_CASE("uniform_pressure_gives_no_force_on_a_closed_body") {
 TEST_CASE("pressure_growing_downwards_lifts_a_body_by_its_area") {
   // Archimedes: p = -y gives the force (0, area) exactly for a polygon with the trapezoidal rule.
   const TriangleMesh mesh = test::o_mesh(40, 6, 5, 0.1, circle);
-  PerId<VertexId, State> state;
+  PerId<VertexId, State<2>> state;
   for (const Point2 p : mesh.points) state.push_back({1, 0, 0, 2 - p.y});
-  const EulerProblem level = about(mesh, 0);
+  const FlowProblem<2> level = about(mesh, 0);
   const auto lines = solver::surface_lines(level, state);
   REQUIRE(lines.size() == 1);
   const double area = polygon_area(lines[0]), scale = 1 / (0.5 * 0.25);
@@ -66,7 +66,7 @@ TEST_CASE("pressure_growing_downwards_lifts_a_body_by_its_area") {
 TEST_CASE("surface_lines_run_once_around_a_body_from_the_trailing_edge") {
   const TriangleMesh mesh = test::o_mesh(40, 6, 5, 0.1, circle);
   const auto lines = solver::surface_lines(about(mesh, 0),
-                                           PerId<VertexId, State>(mesh.vertex_count(), {1, 0.5, 0, 1 / 1.4}));
+                                           PerId<VertexId, State<2>>(mesh.vertex_count(), {1, 0.5, 0, 1 / 1.4}));
   REQUIRE(lines.size() == 1);
   const SurfaceLine& line = lines[0];
   CHECK(line.closed);
@@ -85,13 +85,13 @@ TEST_CASE("surface_lines_run_once_around_a_body_from_the_trailing_edge") {
 
 TEST_CASE("surface_lines_of_an_open_wall_keep_both_ends") {
   const TriangleMesh mesh = test::mapped_grid(8, 4, false, [](double s, double t) { return Point2{s, t}; });
-  EulerProblem problem{mesh::build_dual(mesh), {}, {2, 0}, {}, {}, true, {}, {}};
+  FlowProblem<2> problem{mesh::build_dual(mesh), {}, {2, 0}, {}, {}, true, {}, {}};
   problem.boundary = {{test::south, BoundaryKind::slip_wall},
                       {test::east, BoundaryKind::supersonic_outflow},
                       {test::north, BoundaryKind::symmetry},
                       {test::west, BoundaryKind::supersonic_inflow}};
   const auto lines =
-      solver::surface_lines(problem, PerId<VertexId, State>(mesh.vertex_count(), {1, 2, 0, 1 / 1.4}));
+      solver::surface_lines(problem, PerId<VertexId, State<2>>(mesh.vertex_count(), {1, 2, 0, 1 / 1.4}));
   REQUIRE(lines.size() == 1);
   CHECK(!lines[0].closed);
   CHECK(lines[0].points.size() == 9);

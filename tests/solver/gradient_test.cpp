@@ -13,20 +13,20 @@ namespace {
 using namespace leonhard;
 using solver::EdgePlan;
 
-std::vector<double> gradients(const EdgePlan& plan, const PerId<VertexId, State>& state,
+std::vector<double> gradients(const EdgePlan<2>& plan, const PerId<VertexId, State<2>>& state,
                               LimiterKind limiter) {
   std::vector<double> gradient(8 * plan.vertex_count), scale2(plan.vertex_count, 1e-12);
   const solver::SweepSettings settings{.limiter = limiter, .limiter_scale2 = scale2.data()};
   for (const solver::PartRange& part : plan.parts)
-    solver::best_sweep().limited_gradients(plan.view(), part, settings, &state.flat().front().rho,
-                                           gradient.data());
+    solver::best_sweep<2>().limited_gradients(plan.view(), part, settings, &state.flat().front().rho,
+                                           gradient.data(), nullptr);
   return gradient;
 }
 
 TEST_CASE("least_squares_gradients_are_exact_for_linear_functions") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 3);
-  const EdgePlan plan = solver::make_edge_plan(mesh::build_dual(mesh));
-  PerId<VertexId, State> state;
+  const EdgePlan<2> plan = solver::make_edge_plan<2>(mesh::build_dual(mesh));
+  PerId<VertexId, State<2>> state;
   for (const Point2 p : mesh.points) state.push_back({2 + 2 * p.x - p.y, 3 * p.y, -p.x + 0.5 * p.y, 7 - p.x});
   const auto g = gradients(plan, state, LimiterKind::none);
   const double by_x[4] = {2, 0, -1, -1}, by_y[4] = {-1, 3, 0.5, 0};
@@ -39,10 +39,10 @@ TEST_CASE("least_squares_gradients_are_exact_for_linear_functions") {
 
 TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_the_neighbours") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 4);
-  const EdgePlan plan = solver::make_edge_plan(mesh::build_dual(mesh));
+  const EdgePlan<2> plan = solver::make_edge_plan<2>(mesh::build_dual(mesh));
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(0.5, 1.5);
-  PerId<VertexId, State> state;
+  PerId<VertexId, State<2>> state;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
     state.push_back({any(random), any(random), any(random), any(random)});
   const auto free = gradients(plan, state, LimiterKind::none);
@@ -58,7 +58,7 @@ TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_th
       }
       for (std::uint32_t s = plan.neighbours.offsets()[v]; s < plan.neighbours.offsets()[v + 1]; ++s) {
         const auto at_face = [&](const std::vector<double>& g) {
-          return value(v, i) + plan.slot[s].half_x * g[8 * v + i] + plan.slot[s].half_y * g[8 * v + 4 + i];
+          return value(v, i) + plan.slot[s].half[0] * g[8 * v + i] + plan.slot[s].half[1] * g[8 * v + 4 + i];
         };
         CHECK(at_face(limited) >= low - 1e-12);
         CHECK(at_face(limited) <= high + 1e-12);
@@ -70,10 +70,10 @@ TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_th
 
 TEST_CASE("near_vacuum_density_and_pressure_stay_positive_at_edge_midpoints_whatever_the_limiter") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 4);
-  const EdgePlan plan = solver::make_edge_plan(mesh::build_dual(mesh));
+  const EdgePlan<2> plan = solver::make_edge_plan<2>(mesh::build_dual(mesh));
   std::mt19937 random(6);
   std::uniform_real_distribution<double> decades(-6, 1);
-  PerId<VertexId, State> state;
+  PerId<VertexId, State<2>> state;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
     state.push_back({std::pow(10, decades(random)), decades(random), decades(random), std::pow(10, decades(random))});
   for (const auto limiter : {LimiterKind::none, LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen}) {
@@ -82,15 +82,15 @@ TEST_CASE("near_vacuum_density_and_pressure_stay_positive_at_edge_midpoints_what
       for (const std::size_t i : {0, 3})
         for (std::uint32_t s = plan.neighbours.offsets()[v]; s < plan.neighbours.offsets()[v + 1]; ++s) {
           const double own = (&state.flat()[v].rho)[i];
-          CHECK(own + plan.slot[s].half_x * g[8 * v + i] + plan.slot[s].half_y * g[8 * v + 4 + i] > 0.19 * own);
+          CHECK(own + plan.slot[s].half[0] * g[8 * v + i] + plan.slot[s].half[1] * g[8 * v + 4 + i] > 0.19 * own);
         }
   }
 }
 
 TEST_CASE("limiters_leave_linear_functions_alone_inside") {
   const TriangleMesh mesh = test::mapped_grid(10, 10, false, [](double s, double t) { return Point2{s, t}; });
-  const EdgePlan plan = solver::make_edge_plan(mesh::build_dual(mesh));
-  PerId<VertexId, State> state;
+  const EdgePlan<2> plan = solver::make_edge_plan<2>(mesh::build_dual(mesh));
+  PerId<VertexId, State<2>> state;
   for (const Point2 p : mesh.points) state.push_back({1 + p.x, p.y, p.x + p.y, 2 - p.x});
   for (const auto limiter : {LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen}) {
     const auto g = gradients(plan, state, limiter);

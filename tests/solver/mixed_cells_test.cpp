@@ -19,7 +19,7 @@
 namespace {
 
 using namespace leonhard;
-using solver::EulerResidual;
+using solver::FlowResidual;
 
 /// The quadrilaterals of a mapped grid; whole(i, j) says which stay whole, the others are cut in two.
 MixedMesh<2> mixed_grid(std::size_t columns, std::size_t rows, const std::function<Point2(double, double)>& place,
@@ -54,12 +54,12 @@ TEST_CASE("free_stream_is_kept_to_rounding_on_quadrilaterals_and_mixtures") {
   const auto some = [](std::size_t i, std::size_t j) { return (i * 7 + j * 5) % 3 != 0; };
   for (const auto& whole : {std::function<bool(std::size_t, std::size_t)>(all), {some}}) {
     const MixedMesh<2> mesh = mixed_grid(18, 14, shaken, whole);
-    EulerProblem problem{.dual = mesh::build_dual(mesh), .free_stream = {0.7, 0.3}, .vortex_correction = false};
+    FlowProblem<2> problem{.dual = mesh::build_dual(mesh), .free_stream = {0.7, 0.3}, .vortex_correction = false};
     for (const Marker side : {test::south, test::east, test::north, test::west})
       problem.boundary[side] = BoundaryKind::far_field;
     std::vector<double> out;
-    EulerResidual(problem, {}).evaluate(
-        PerId<VertexId, State>(mesh.vertex_count(), solver::free_stream_state({}, {0.7, 0.3})), out);
+    FlowResidual<2>(problem, {}).evaluate(
+        PerId<VertexId, State<2>>(mesh.vertex_count(), solver::free_stream_state<2>({}, {0.7, 0.3})), out);
     double worst = 0;
     for (std::size_t i = 0; i < 4 * mesh.vertex_count(); ++i) worst = std::max(worst, std::abs(out[i]));
     CHECK(worst < 1e-13);
@@ -71,13 +71,13 @@ TEST_CASE("boundary_flux_of_quadrilaterals_is_exact_for_linear_fluxes_along_a_wa
   // and nothing across it, if the wall carries p at the vertex.
   const auto stretched = [](double s, double t) { return Point2{s * s + s, t}; };
   const MixedMesh<2> mesh = mixed_grid(12, 4, stretched, [](std::size_t, std::size_t) { return true; });
-  EulerProblem problem{.dual = mesh::build_dual(mesh), .free_stream = {0.5, 0}, .vortex_correction = false};
+  FlowProblem<2> problem{.dual = mesh::build_dual(mesh), .free_stream = {0.5, 0}, .vortex_correction = false};
   for (const Marker side : {test::south, test::east, test::north, test::west})
     problem.boundary[side] = BoundaryKind::slip_wall;
-  PerId<VertexId, State> state;
+  PerId<VertexId, State<2>> state;
   for (const Point2 p : mesh.points) state.push_back({1, 0, 0, 1 + p.x});
   std::vector<double> out;
-  EulerResidual(problem, {.flux = FluxKind::roe, .limiter = LimiterKind::none}).evaluate(state, out);
+  FlowResidual<2>(problem, {.flux = FluxKind::roe, .limiter = LimiterKind::none}).evaluate(state, out);
   for (const VertexId v : mesh.points.ids()) {
     const Point2 p = mesh.points[v];
     if (p.y > 0 || p.x < 1e-9 || p.x > 2 - 1e-9) continue;
@@ -93,13 +93,13 @@ TEST_CASE("wedge_shock_on_quadrilaterals_has_the_exact_pressure_ratio") {
     return Point2{x, floor + t * (1 - floor)};
   };
   const MixedMesh<2> mesh = mixed_grid(48, 40, ramp, [](std::size_t, std::size_t) { return true; });
-  const EulerProblem problem{.dual = mesh::build_dual(mesh),
+  const FlowProblem<2> problem{.dual = mesh::build_dual(mesh),
                              .free_stream = {2, 0},
                              .boundary = {{test::south, BoundaryKind::slip_wall},
                                           {test::east, BoundaryKind::supersonic_outflow},
                                           {test::north, BoundaryKind::supersonic_outflow},
                                           {test::west, BoundaryKind::supersonic_inflow}}};
-  const SteadyResult result = solver::solve_steady(problem, {.residual_drop_orders = 10});
+  const SteadyResult<2> result = solver::solve_steady(problem, {.residual_drop_orders = 10});
   CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
   REQUIRE(result.surface.size() == 1);
   for (const SurfacePoint& p : result.surface[0].points)  // Mach 2 turned by 10 degrees: p2/p1 = 1.706579
@@ -109,11 +109,11 @@ TEST_CASE("wedge_shock_on_quadrilaterals_has_the_exact_pressure_ratio") {
 TEST_CASE("a_dual_that_is_none_is_refused") {
   test::start_petsc();
   const MixedMesh<2> mesh = mixed_grid(4, 4, shaken, [](std::size_t, std::size_t) { return true; });
-  EulerProblem good{.dual = mesh::build_dual(mesh)};
+  FlowProblem<2> good{.dual = mesh::build_dual(mesh)};
   for (const Marker side : {test::south, test::east, test::north, test::west})
     good.boundary[side] = BoundaryKind::far_field;
   const auto complaint_of = [&](auto break_it) {
-    EulerProblem problem = good;
+    FlowProblem<2> problem = good;
     break_it(problem.dual);
     try {
       (void)solver::solve_steady(problem, {.max_iterations = 1});

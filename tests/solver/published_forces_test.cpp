@@ -16,10 +16,10 @@ namespace {
 
 using namespace leonhard;
 
-SteadyResult solve_about_naca0012(double mach, LimiterKind limiter) {
+SteadyResult<2> solve_about_naca0012(double mach, LimiterKind limiter) {
   test::start_petsc();
   const TriangleMesh mesh = test::o_mesh(160, 56, 60, 0.006, test::naca0012);
-  const EulerProblem problem{mesh::build_dual(mesh),
+  const FlowProblem<2> problem{mesh::build_dual(mesh),
                              {},
                              {mach, 1.25 * std::numbers::pi / 180},
                              {{test::south, BoundaryKind::slip_wall}, {test::north, BoundaryKind::far_field}},
@@ -29,7 +29,7 @@ SteadyResult solve_about_naca0012(double mach, LimiterKind limiter) {
                              {}};
   SteadyOptions options;
   options.limiter = limiter;
-  SteadyResult result = solver::solve_steady(problem, options);
+  SteadyResult<2> result = solver::solve_steady(problem, options);
   CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
   MESSAGE("cl " << result.forces.cl << ", cd " << result.forces.cd << ", cm " << result.forces.cm);
   return result;

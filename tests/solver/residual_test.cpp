@@ -15,10 +15,10 @@
 namespace {
 
 using namespace leonhard;
-using solver::EulerResidual;
+using solver::FlowResidual;
 using solver::SpatialOptions;
 
-EulerProblem all_far_field(const TriangleMesh& mesh, double mach, double alpha_rad) {
+FlowProblem<2> all_far_field(const TriangleMesh& mesh, double mach, double alpha_rad) {
   return {mesh::build_dual(mesh),
           {},
           {mach, alpha_rad},
@@ -32,17 +32,17 @@ EulerProblem all_far_field(const TriangleMesh& mesh, double mach, double alpha_r
           {}};
 }
 
-EulerProblem about_airfoil(const TriangleMesh& mesh) {
+FlowProblem<2> about_airfoil(const TriangleMesh& mesh) {
   return {mesh::build_dual(mesh),        {},
           {0.8, 0.02}, {{test::south, BoundaryKind::slip_wall}, {test::north, BoundaryKind::far_field}},
           {},          true,
           {0.25, 0},   {}};
 }
 
-PerId<VertexId, State> rough_states(const TriangleMesh& mesh, std::uint32_t seed) {
+PerId<VertexId, State<2>> rough_states(const TriangleMesh& mesh, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-0.2, 0.2);
-  PerId<VertexId, State> state;
+  PerId<VertexId, State<2>> state;
   for (const Point2 p : mesh.points)
     state.push_back(
         {1 + 0.1 * std::sin(3 * p.x) + any(random), 0.7 + any(random), 0.1 + any(random), 0.7 + any(random)});
@@ -53,11 +53,11 @@ TEST_CASE("free_stream_is_kept_to_rounding_on_shaken_meshes") {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     const TriangleMesh mesh = test::shaken_square(15, 0.3, seed);
     for (const double mach : {0.3, 0.9, 2.5}) {
-      const EulerProblem problem = all_far_field(mesh, mach, 0.4);
-      EulerResidual residual(problem, {});
+      const FlowProblem<2> problem = all_far_field(mesh, mach, 0.4);
+      FlowResidual<2> residual(problem, {});
       std::vector<double> out;
       residual.evaluate(
-          PerId<VertexId, State>(mesh.vertex_count(), solver::free_stream_state({}, {mach, 0.4})), out);
+          PerId<VertexId, State<2>>(mesh.vertex_count(), solver::free_stream_state<2>({}, {mach, 0.4})), out);
       for (std::size_t i = 0; i < 4 * mesh.vertex_count(); ++i) CHECK(std::abs(out[i]) < 1e-12);
     }
   }
@@ -65,32 +65,32 @@ TEST_CASE("free_stream_is_kept_to_rounding_on_shaken_meshes") {
 
 TEST_CASE("free_stream_passes_supersonic_boundaries_and_walls_along_it") {
   const TriangleMesh mesh = test::shaken_square(10, 0.3, 9);
-  EulerProblem problem = all_far_field(mesh, 2, 0);
+  FlowProblem<2> problem = all_far_field(mesh, 2, 0);
   problem.boundary = {{test::south, BoundaryKind::slip_wall},
                       {test::east, BoundaryKind::supersonic_outflow},
                       {test::north, BoundaryKind::symmetry},
                       {test::west, BoundaryKind::supersonic_inflow}};
-  EulerResidual residual(problem, {});
+  FlowResidual<2> residual(problem, {});
   std::vector<double> out;
-  residual.evaluate(PerId<VertexId, State>(mesh.vertex_count(), solver::free_stream_state({}, {2, 0})), out);
+  residual.evaluate(PerId<VertexId, State<2>>(mesh.vertex_count(), solver::free_stream_state<2>({}, {2, 0})), out);
   for (std::size_t i = 0; i < 4 * mesh.vertex_count(); ++i) CHECK(std::abs(out[i]) < 1e-12);
 }
 
 TEST_CASE("residual_has_the_same_bits_for_any_flux_and_kernel_build") {
   const TriangleMesh mesh = test::o_mesh(40, 30, 10, 0.02, test::naca0012);
-  const EulerProblem problem = about_airfoil(mesh);
+  const FlowProblem<2> problem = about_airfoil(mesh);
   const auto state = rough_states(mesh, 12);
   const auto numbers = static_cast<std::ptrdiff_t>(4 * mesh.vertex_count());
   std::vector<double> one, other, roe;
-  EulerResidual(problem, {.flux = FluxKind::roe}).evaluate(state, roe);
+  FlowResidual<2>(problem, {.flux = FluxKind::roe}).evaluate(state, roe);
   for (const FluxKind flux :
        {FluxKind::roe_low_mach, FluxKind::hllc, FluxKind::hllc_low_mach, FluxKind::ausm_plus_up,
         FluxKind::rusanov, FluxKind::van_leer, FluxKind::kep_scalar, FluxKind::kep_matrix}) {
     CAPTURE(to_string(flux));
     SpatialOptions options;
     options.flux = flux;
-    EulerResidual baseline(problem, options, solver::sweep_baseline),
-        best(problem, options, solver::best_sweep());
+    FlowResidual<2> baseline(problem, options, solver::SweepBuilds<2>::baseline),
+        best(problem, options, solver::best_sweep<2>());
     baseline.evaluate(state, one);
     best.evaluate(state, other);
     CHECK(std::equal(one.begin(), one.begin() + numbers, other.begin()));
@@ -104,19 +104,19 @@ TEST_CASE("residual_has_the_same_bits_for_any_flux_and_kernel_build") {
 
 TEST_CASE("residual_has_the_same_bits_for_any_thread_count_and_kernel_build") {
   const TriangleMesh mesh = test::o_mesh(120, 80, 10, 0.01, test::naca0012);
-  const EulerProblem problem = about_airfoil(mesh);
+  const FlowProblem<2> problem = about_airfoil(mesh);
   const auto state = rough_states(mesh, 11);
   std::vector<double> one, other, jacobian_one, jacobian_other;
-  EulerResidual reference(problem, {}, solver::sweep_baseline);
+  FlowResidual<2> reference(problem, {}, solver::SweepBuilds<2>::baseline);
   REQUIRE(reference.plan().parts.size() > 3);
   reference.evaluate(state, one);
   reference.jacobian(state, jacobian_one);
   const std::size_t numbers = 4 * mesh.vertex_count(), blocks = 16 * reference.plan().block_count();
   for (const int threads : {1, 2, 3})
-    for (const auto* kernels : {&solver::sweep_baseline, &solver::best_sweep()}) {
+    for (const auto* kernels : {&solver::SweepBuilds<2>::baseline, &solver::best_sweep<2>()}) {
       SpatialOptions options;
       options.threads = threads;
-      EulerResidual residual(problem, options, *kernels);
+      FlowResidual<2> residual(problem, options, *kernels);
       residual.evaluate(state, other);
       residual.jacobian(state, jacobian_other);
       CHECK(std::equal(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(numbers), other.begin()));
@@ -147,7 +147,7 @@ double venkatakrishnan(double room, double step, double e) {
 }
 
 /// The extent of the walls along x.
-double chord_of(const EulerProblem& problem) {
+double chord_of(const FlowProblem<2>& problem) {
   double low = 1e300, high = -1e300;
   for (const DualFacet<2>& edge : problem.dual.boundary)
     if (problem.boundary.at(edge.marker) == BoundaryKind::slip_wall) {
@@ -164,7 +164,7 @@ double positive_share(double part) {
   return (0.5 + 0.3 * beyond / (0.3 + beyond)) / part;
 }
 
-std::vector<Gradient> plain_gradients(const TriangleMesh& mesh, const PerId<VertexId, State>& state,
+std::vector<Gradient> plain_gradients(const TriangleMesh& mesh, const PerId<VertexId, State<2>>& state,
                                       const std::vector<double>& area, double k_per_extent) {
   std::vector<Gradient> gradients(mesh.vertex_count());
   for (const auto& [v, around] : neighbours_of(mesh)) {
@@ -175,7 +175,7 @@ std::vector<Gradient> plain_gradients(const TriangleMesh& mesh, const PerId<Vert
       const Vec2 d = mesh.points.flat()[n] - here;
       xx += d.x * d.x / dot(d, d), xy += d.x * d.y / dot(d, d), yy += d.y * d.y / dot(d, d);
     }
-    const State& own = state.flat()[v];
+    const State<2>& own = state.flat()[v];
     const double c = std::sqrt(1.4 * own.p / own.rho);
     const double size[4] = {own.rho, c, c, 1.4 * own.p};
     for (int i = 0; i < 4; ++i) {
@@ -203,9 +203,9 @@ std::vector<Gradient> plain_gradients(const TriangleMesh& mesh, const PerId<Vert
 }
 
 /// Roe's flux by its three waves, with Harten's fix.
-std::array<double, 4> plain_roe(const State& a, const State& b, double nx, double ny, double fix) {
+std::array<double, 4> plain_roe(const State<2>& a, const State<2>& b, double nx, double ny, double fix) {
   const double sa = std::sqrt(a.rho), sb = std::sqrt(b.rho);
-  const auto head = [](const State& w) { return 3.5 * w.p / w.rho + 0.5 * (w.u * w.u + w.v * w.v); };
+  const auto head = [](const State<2>& w) { return 3.5 * w.p / w.rho + 0.5 * (w.u * w.u + w.v * w.v); };
   const double u = (sa * a.u + sb * b.u) / (sa + sb), v = (sa * a.v + sb * b.v) / (sa + sb);
   const double h = (sa * head(a) + sb * head(b)) / (sa + sb),
                c = std::sqrt(0.4 * (h - 0.5 * (u * u + v * v)));
@@ -224,7 +224,7 @@ std::array<double, 4> plain_roe(const State& a, const State& b, double nx, doubl
                                        minus * (v - c * ny) + entropy * v + shear * dv + plus * (v + c * ny),
                                        minus * (h - c * vn) + entropy * 0.5 * (u * u + v * v) +
                                            shear * (u * du + v * dv) + plus * (h + c * vn)};
-  const auto physical = [&](const State& w) {
+  const auto physical = [&](const State<2>& w) {
     const double m = w.rho * (w.u * nx + w.v * ny);
     return std::array<double, 4>{m, m * w.u + w.p * nx, m * w.v + w.p * ny, m * head(w)};
   };
@@ -251,13 +251,13 @@ std::map<std::pair<std::size_t, std::size_t>, Vec2> plain_dual_normals(const Tri
   return normals;
 }
 
-State moved(const State& w, const Gradient& g, Vec2 by) {
+State<2> moved(const State<2>& w, const Gradient& g, Vec2 by) {
   return {w.rho + g.x[0] * by.x + g.y[0] * by.y, w.u + g.x[1] * by.x + g.y[1] * by.y,
           w.v + g.x[2] * by.x + g.y[2] * by.y, w.p + g.x[3] * by.x + g.y[3] * by.y};
 }
 
-std::vector<double> plain_residual(const TriangleMesh& mesh, const EulerProblem& problem,
-                                   const PerId<VertexId, State>& state, double k, double fix) {
+std::vector<double> plain_residual(const TriangleMesh& mesh, const FlowProblem<2>& problem,
+                                   const PerId<VertexId, State<2>>& state, double k, double fix) {
   std::vector<double> area(mesh.vertex_count()), out(4 * mesh.vertex_count());
   for (const auto& t : mesh.corners)
     for (const VertexId v : t)
@@ -280,7 +280,7 @@ std::vector<double> plain_residual(const TriangleMesh& mesh, const EulerProblem&
     std::array<double, 4> f[2];
     const VertexId ends[2] = {edge.from, edge.to};
     for (int e = 0; e < 2; ++e) {
-      const State& w = state[ends[e]];
+      const State<2>& w = state[ends[e]];
       const Vec2 extra =
           cl * solver::vortex_velocity(problem.free_stream, problem.vortex_centre, 1, mesh.points[ends[e]]);
       f[e] =
@@ -297,13 +297,13 @@ std::vector<double> plain_residual(const TriangleMesh& mesh, const EulerProblem&
 
 TEST_CASE("vectorised_residual_equals_a_plain_one_written_independently") {
   const TriangleMesh mesh = test::o_mesh(61, 40, 8, 0.02, test::naca0012);
-  const EulerProblem problem = about_airfoil(mesh);
+  const FlowProblem<2> problem = about_airfoil(mesh);
   const auto state = rough_states(mesh, 21);
   SpatialOptions options;
   options.flux = FluxKind::roe;
   options.venkatakrishnan_k = 2;
   std::vector<double> out;
-  EulerResidual(problem, options).evaluate(state, out);
+  FlowResidual<2>(problem, options).evaluate(state, out);
   const auto plain = plain_residual(mesh, problem, state, 2, options.entropy_fix);
   double scale = 0, worst = 0;
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -318,12 +318,12 @@ TEST_CASE("residual_scales_with_the_unit_of_the_mesh_to_the_bit") {
   const TriangleMesh mesh = test::o_mesh(61, 40, 8, 0.02, test::naca0012);
   TriangleMesh larger = mesh;  // a power of two, whatever the reference length: nothing rounds differently
   for (Point2& p : larger.points) p = {1024 * p.x, 1024 * p.y};
-  EulerProblem problem = about_airfoil(mesh), larger_problem = about_airfoil(larger);
+  FlowProblem<2> problem = about_airfoil(mesh), larger_problem = about_airfoil(larger);
   problem.vortex_correction = larger_problem.vortex_correction = false;
   const auto state = rough_states(mesh, 22);
   std::vector<double> out, larger_out;
-  EulerResidual(problem, {}).evaluate(state, out);
-  EulerResidual(larger_problem, {}).evaluate(state, larger_out);
+  FlowResidual<2>(problem, {}).evaluate(state, out);
+  FlowResidual<2>(larger_problem, {}).evaluate(state, larger_out);
   std::size_t other = 0;
   for (std::size_t i = 0; i < 4 * mesh.vertex_count(); ++i) other += larger_out[i] == 1024 * out[i] ? 0 : 1;
   CHECK(other == 0);
@@ -331,15 +331,15 @@ TEST_CASE("residual_scales_with_the_unit_of_the_mesh_to_the_bit") {
 
 TEST_CASE("first_order_jacobian_is_the_residuals_derivative_at_a_uniform_state") {
   const TriangleMesh mesh = test::shaken_square(8, 0.25, 31);
-  EulerProblem problem = all_far_field(mesh, 0.7, 0.3);
+  FlowProblem<2> problem = all_far_field(mesh, 0.7, 0.3);
   problem.boundary[test::south] = BoundaryKind::slip_wall;
   problem.boundary[test::east] = BoundaryKind::supersonic_outflow;
   problem.vortex_correction = false;
-  EulerResidual residual(problem, {.flux = FluxKind::roe});
+  FlowResidual<2> residual(problem, {.flux = FluxKind::roe});
   const auto& plan = residual.plan();
   const std::size_t n = mesh.vertex_count();
-  const State uniform = solver::free_stream_state(problem.gas, problem.free_stream);
-  PerId<VertexId, State> state(n, uniform), up(n), down(n);
+  const State<2> uniform = solver::free_stream_state<2>(problem.gas, problem.free_stream);
+  PerId<VertexId, State<2>> state(n, uniform), up(n), down(n);
   std::vector<double> blocks, high, low;
   residual.jacobian(state, blocks);
   std::mt19937 random(1);
@@ -351,9 +351,9 @@ TEST_CASE("first_order_jacobian_is_the_residuals_derivative_at_a_uniform_state")
   for (const VertexId v : state.ids()) {
     const double* d = x.data() + 4 * v.index();
     up[v] =
-        solver::state_of(problem.gas, {q[0] + e * d[0], q[1] + e * d[1], q[2] + e * d[2], q[3] + e * d[3]});
+        solver::state_of(problem.gas, solver::Conserved<2>{q[0] + e * d[0], q[1] + e * d[1], q[2] + e * d[2], q[3] + e * d[3]});
     down[v] =
-        solver::state_of(problem.gas, {q[0] - e * d[0], q[1] - e * d[1], q[2] - e * d[2], q[3] - e * d[3]});
+        solver::state_of(problem.gas, solver::Conserved<2>{q[0] - e * d[0], q[1] - e * d[1], q[2] - e * d[2], q[3] - e * d[3]});
   }
   residual.evaluate_first_order(up, high);
   residual.evaluate_first_order(down, low);
@@ -372,9 +372,9 @@ TEST_CASE("first_order_jacobian_is_the_residuals_derivative_at_a_uniform_state")
 
 TEST_CASE("interior_fluxes_cancel_so_that_the_sum_of_residuals_is_the_boundary_flux") {
   const TriangleMesh mesh = test::shaken_square(40, 0.2, 41);
-  EulerProblem problem = all_far_field(mesh, 0.5, 0);
+  FlowProblem<2> problem = all_far_field(mesh, 0.5, 0);
   for (auto& [marker, kind] : problem.boundary) kind = BoundaryKind::slip_wall;
-  EulerResidual residual(problem, {});
+  FlowResidual<2> residual(problem, {});
   std::vector<double> out;
   residual.evaluate(rough_states(mesh, 5), out);
   double mass = 0, energy = 0;
@@ -397,7 +397,7 @@ TEST_CASE("vortex_velocity_has_the_circulation_of_its_lift") {
 }
 
 /// The wave speeds that a control volume's faces see, added up face by face from the median dual's metrics.
-std::vector<double> plain_wave_speeds(const TriangleMesh& mesh, const PerId<VertexId, State>& state) {
+std::vector<double> plain_wave_speeds(const TriangleMesh& mesh, const PerId<VertexId, State<2>>& state) {
   const EdgeStructure edges = mesh::build_edges(mesh);
   const DualMetrics<2> dual = mesh::median_dual(mesh, edges);
   std::vector<double> sums(mesh.vertex_count());
@@ -405,7 +405,7 @@ std::vector<double> plain_wave_speeds(const TriangleMesh& mesh, const PerId<Vert
     const VertexId a = edges.ends[e][0], b = edges.ends[e][1];
     const Vec2 n = dual.normal[e];
     const double length = std::hypot(n.x, n.y);
-    const State mean{0.5 * (state[a].rho + state[b].rho), 0.5 * (state[a].u + state[b].u),
+    const State<2> mean{0.5 * (state[a].rho + state[b].rho), 0.5 * (state[a].u + state[b].u),
                      0.5 * (state[a].v + state[b].v), 0.5 * (state[a].p + state[b].p)};
     const double speed =
         std::abs(mean.u * n.x + mean.v * n.y) + std::sqrt(1.4 * mean.p / mean.rho) * length;
@@ -423,12 +423,12 @@ std::vector<double> plain_wave_speeds(const TriangleMesh& mesh, const PerId<Vert
 
 TEST_CASE("wave_speed_sums_are_those_of_the_faces_one_by_one") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 7);
-  const EulerProblem problem = all_far_field(mesh, 0.7, 0.2);
-  EulerResidual residual(problem, {});
+  const FlowProblem<2> problem = all_far_field(mesh, 0.7, 0.2);
+  FlowResidual<2> residual(problem, {});
   std::vector<double> sums;
-  residual.wave_speed_sums(PerId<VertexId, State>(mesh.vertex_count(), {1.2, 0.6, -0.3, 0.9}), sums);
+  residual.wave_speed_sums(PerId<VertexId, State<2>>(mesh.vertex_count(), {1.2, 0.6, -0.3, 0.9}), sums);
   const std::vector<double> plain =
-      plain_wave_speeds(mesh, PerId<VertexId, State>(mesh.vertex_count(), {1.2, 0.6, -0.3, 0.9}));
+      plain_wave_speeds(mesh, PerId<VertexId, State<2>>(mesh.vertex_count(), {1.2, 0.6, -0.3, 0.9}));
   for (std::size_t v = 0; v < plain.size(); ++v) CHECK(sums[v] == doctest::Approx(plain[v]).epsilon(1e-12));
   const auto rough = rough_states(mesh, 3);
   residual.wave_speed_sums(rough, sums);

@@ -21,7 +21,7 @@ constexpr double gamma = 1.4;
 /// waves; E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, chapter 4.
 class RiemannSolution {
  public:
-  RiemannSolution(const State& left, const State& right) : left_(left), right_(right) {
+  RiemannSolution(const State<2>& left, const State<2>& right) : left_(left), right_(right) {
     p_ = 0.5 * (left.p + right.p);
     for (int i = 0; i < 50; ++i) {
       const double step = 1e-7 * p_;
@@ -32,14 +32,14 @@ class RiemannSolution {
   }
 
   /// The state at x / t.
-  [[nodiscard]] State at(double speed) const { return speed < u_ ? left_of(speed) : mirrored(speed); }
+  [[nodiscard]] State<2> at(double speed) const { return speed < u_ ? left_of(speed) : mirrored(speed); }
   [[nodiscard]] double pressure() const { return p_; }
   [[nodiscard]] double velocity() const { return u_; }
 
  private:
-  static double sound(const State& w) { return std::sqrt(gamma * w.p / w.rho); }
+  static double sound(const State<2>& w) { return std::sqrt(gamma * w.p / w.rho); }
   /// The change of velocity across the wave from `w` to pressure p.
-  static double wave(const State& w, double p) {
+  static double wave(const State<2>& w, double p) {
     if (p > w.p) return (p - w.p) * std::sqrt(2 / ((gamma + 1) * w.rho) / (p + (gamma - 1) / (gamma + 1) * w.p));
     return 2 * sound(w) / (gamma - 1) * (std::pow(p / w.p, (gamma - 1) / (2 * gamma)) - 1);
   }
@@ -48,7 +48,7 @@ class RiemannSolution {
   }
 
   /// The side whose wave runs to the left, as one sees it who moves with the gas ahead of the wave.
-  [[nodiscard]] State side(const State& w, double u, double speed) const {
+  [[nodiscard]] State<2> side(const State<2>& w, double u, double speed) const {
     const double c = sound(w);
     if (p_ > w.p) {  // a shock
       const double ratio = p_ / w.p, g = (gamma - 1) / (gamma + 1);
@@ -63,24 +63,24 @@ class RiemannSolution {
     return {w.rho * std::pow(ratio, 2 / (gamma - 1)), 2 / (gamma + 1) * (c + speed), 0,
             w.p * std::pow(ratio, 2 * gamma / (gamma - 1))};
   }
-  static State resting(const State& w) { return {w.rho, 0, 0, w.p}; }
-  static State moving(const State& w, double sign, double by) { return {w.rho, sign * w.u + by, w.v, w.p}; }
-  [[nodiscard]] State left_of(double speed) const {
+  static State<2> resting(const State<2>& w) { return {w.rho, 0, 0, w.p}; }
+  static State<2> moving(const State<2>& w, double sign, double by) { return {w.rho, sign * w.u + by, w.v, w.p}; }
+  [[nodiscard]] State<2> left_of(double speed) const {
     return moving(side(resting(left_), u_ - left_.u, speed - left_.u), 1, left_.u);
   }
-  [[nodiscard]] State mirrored(double speed) const {
+  [[nodiscard]] State<2> mirrored(double speed) const {
     return moving(side(resting(right_), right_.u - u_, right_.u - speed), -1, right_.u);
   }
 
-  State left_, right_;
+  State<2> left_, right_;
   double p_{}, u_{};
 };
 
-const State driver{1, 0, 0, 1}, driven{0.125, 0, 0, 0.1};
+const State<2> driver{1, 0, 0, 1}, driven{0.125, 0, 0, 0.1};
 
 /// Two gases, to the left and right of x = 0.5 at first.
 struct Gases {
-  State left, right;
+  State<2> left, right;
   BoundaryKind ends;
   double end_time, largest_speed;  ///< of the waves
 };
@@ -89,15 +89,15 @@ const Gases parting{{1, -2, 0, 0.4}, {1, 2, 0, 0.4}, BoundaryKind::supersonic_ou
 
 struct Tube {
   TriangleMesh mesh;
-  PerId<VertexId, State> state;
-  Conserved before{}, after{};  ///< totals of mass, momentum and energy
+  PerId<VertexId, State<2>> state;
+  Conserved<2> before{}, after{};  ///< totals of mass, momentum and energy
 };
 
-Conserved totals(const solver::EdgePlan& plan, const PerId<VertexId, State>& state) {
-  Conserved sum{};
+Conserved<2> totals(const solver::EdgePlan<2>& plan, const PerId<VertexId, State<2>>& state) {
+  Conserved<2> sum{};
   for (const VertexId v : state.ids()) {
-    const Conserved q = solver::conserved_of({gamma}, state[v]);
-    for (std::size_t i = 0; i < 4; ++i) sum[i] += plan.area[v.index()] * q[i];
+    const Conserved<2> q = solver::conserved_of({gamma}, state[v]);
+    for (std::size_t i = 0; i < 4; ++i) sum[i] += plan.volume[v.index()] * q[i];
   }
   return sum;
 }
@@ -106,37 +106,37 @@ Conserved totals(const solver::EdgePlan& plan, const PerId<VertexId, State>& sta
 Tube run_tube(std::size_t cells, int order, FluxKind flux = FluxKind::roe, const Gases& gases = sod) {
   const double height = 2.0 / static_cast<double>(cells);
   Tube tube{test::mapped_grid(cells, 2, false, [&](double s, double t) { return Point2{s, height * t}; }), {}, {}, {}};
-  EulerProblem problem{mesh::build_dual(tube.mesh), {gamma}, {0.5, 0}, {}, {}, false, {}, {}};
+  FlowProblem<2> problem{mesh::build_dual(tube.mesh), {gamma}, {0.5, 0}, {}, {}, false, {}, {}};
   for (const Marker side : {test::south, test::east, test::north, test::west})
     problem.boundary[side] = side == test::east || side == test::west ? gases.ends : BoundaryKind::slip_wall;
   solver::SpatialOptions options;
   options.order = order;
   options.flux = flux;
   options.limiter = LimiterKind::barth_jespersen;
-  solver::EulerResidual residual(problem, options);
+  solver::FlowResidual<2> residual(problem, options);
   for (const Point2 p : tube.mesh.points) tube.state.push_back(p.x < 0.5 ? gases.left : gases.right);
   tube.before = totals(residual.plan(), tube.state);
   const int steps =
       static_cast<int>(std::ceil(gases.end_time * gases.largest_speed * 4 * static_cast<double>(cells)));
   const double dt = gases.end_time / steps;
   std::vector<double> rate;
-  const auto euler_step = [&](const PerId<VertexId, State>& from, PerId<VertexId, State>& to) {
+  const auto euler_step = [&](const PerId<VertexId, State<2>>& from, PerId<VertexId, State<2>>& to) {
     residual.evaluate(from, rate);
     for (const VertexId v : from.ids()) {
-      Conserved q = solver::conserved_of({gamma}, from[v]);
-      for (std::size_t i = 0; i < 4; ++i) q[i] -= dt / residual.plan().area[v.index()] * rate[4 * v.index() + i];
-      to[v] = solver::state_of({gamma}, q);
+      Conserved<2> q = solver::conserved_of({gamma}, from[v]);
+      for (std::size_t i = 0; i < 4; ++i) q[i] -= dt / residual.plan().volume[v.index()] * rate[4 * v.index() + i];
+      to[v] = solver::state_of(Gas{gamma}, q);
     }
   };
-  PerId<VertexId, State> once = tube.state, twice = tube.state;
+  PerId<VertexId, State<2>> once = tube.state, twice = tube.state;
   for (int step = 0; step < steps; ++step) {
     euler_step(tube.state, once);
     euler_step(once, twice);
     for (const VertexId v : tube.state.ids()) {
-      Conserved q = solver::conserved_of({gamma}, tube.state[v]);
-      const Conserved other = solver::conserved_of({gamma}, twice[v]);
+      Conserved<2> q = solver::conserved_of({gamma}, tube.state[v]);
+      const Conserved<2> other = solver::conserved_of({gamma}, twice[v]);
       for (std::size_t i = 0; i < 4; ++i) q[i] = 0.5 * (q[i] + other[i]);
-      tube.state[v] = solver::state_of({gamma}, q);
+      tube.state[v] = solver::state_of(Gas{gamma}, q);
     }
   }
   tube.after = totals(residual.plan(), tube.state);
@@ -174,7 +174,7 @@ TEST_CASE("sods_shock_tube_as_a_strip_converges_to_the_exact_solution_and_conser
   CHECK(fine_error < 0.008);
   CHECK(mean_density_error(run_tube(100, 1)) > 1.5 * fine_error);
   // No new extremes: the density stays between the driver's and the driven gas' shocked and unshocked ones.
-  for (const State& w : fine.state) {
+  for (const State<2>& w : fine.state) {
     CHECK(w.rho < 1.01);
     CHECK(w.rho > 0.12);
   }
@@ -197,7 +197,7 @@ TEST_CASE("gases_that_part_nearly_to_a_vacuum_stay_physical_with_rusanov_and_hll
   for (const FluxKind flux : {FluxKind::rusanov, FluxKind::hllc}) {
     CAPTURE(to_string(flux));
     const Tube coarse = run_tube(50, 1, flux, parting), fine = run_tube(100, 1, flux, parting);
-    for (const State& w : fine.state) REQUIRE(solver::is_physical(w));
+    for (const State<2>& w : fine.state) REQUIRE(solver::is_physical(w));
     const double coarse_error = mean_density_error(coarse, parting),
                  fine_error = mean_density_error(fine, parting);
     MESSAGE("mean density errors " << coarse_error << " " << fine_error);
@@ -209,7 +209,7 @@ TEST_CASE("gases_that_part_nearly_to_a_vacuum_stay_physical_with_rusanov_and_hll
 TEST_CASE("a_strip_of_the_plane_keeps_a_flow_along_it_one_dimensional") {
   const Tube tube = run_tube(50, 2);
   double across = 0;
-  for (const State& w : tube.state) across = std::max(across, std::abs(w.v));
+  for (const State<2>& w : tube.state) across = std::max(across, std::abs(w.v));
   CHECK(across < 0.02);  // the diagonals are not symmetric about the middle
 }
 

@@ -18,8 +18,8 @@ Point2 ramp(double s, double t) {
   return {x, floor + t * (1 - floor)};
 }
 
-EulerProblem ramp_problem(const TriangleMesh& mesh) {
-  EulerProblem problem{mesh::build_dual(mesh), {}, {2, 0}, {}, {}, true, {}, {}};
+FlowProblem<2> ramp_problem(const TriangleMesh& mesh) {
+  FlowProblem<2> problem{mesh::build_dual(mesh), {}, {2, 0}, {}, {}, true, {}, {}};
   problem.boundary = {{test::south, BoundaryKind::slip_wall},
                       {test::east, BoundaryKind::supersonic_outflow},
                       {test::north, BoundaryKind::supersonic_outflow},
@@ -27,7 +27,7 @@ EulerProblem ramp_problem(const TriangleMesh& mesh) {
   return problem;
 }
 
-EulerProblem airfoil_problem(const TriangleMesh& mesh, double mach, double alpha_deg) {
+FlowProblem<2> airfoil_problem(const TriangleMesh& mesh, double mach, double alpha_deg) {
   return {mesh::build_dual(mesh),
           {},
           {mach, alpha_deg * std::numbers::pi / 180},
@@ -41,8 +41,8 @@ EulerProblem airfoil_problem(const TriangleMesh& mesh, double mach, double alpha
 TEST_CASE("wedge_shock_has_the_pressure_ratio_and_mach_number_of_the_oblique_shock_relations") {
   test::start_petsc();
   const TriangleMesh mesh = test::mapped_grid(48, 40, false, ramp);
-  const EulerProblem problem = ramp_problem(mesh);
-  const SteadyResult result = solver::solve_steady(problem);
+  const FlowProblem<2> problem = ramp_problem(mesh);
+  const SteadyResult<2> result = solver::solve_steady(problem);
   CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
   REQUIRE(result.surface.size() == 1);
   // Mach 2 turned by 10 degrees: p2/p1 = 1.706579, M2 = 1.640522 (exact relations).
@@ -55,7 +55,7 @@ TEST_CASE("wedge_shock_has_the_pressure_ratio_and_mach_number_of_the_oblique_sho
 }
 
 /// The supersonic vortex of Aftosmis, Gaitonde and Tavares (1994) in a quarter annulus.
-State vortex_state(Point2 p) {
+State<2> vortex_state(Point2 p) {
   const double r = std::hypot(p.x, p.y), mach_inner = 2.25;
   const double rho = std::pow(1 + 0.2 * mach_inner * mach_inner * (1 - 1 / (r * r)), 2.5);
   const double speed = mach_inner / r;
@@ -67,16 +67,16 @@ double vortex_error(std::size_t cells) {
     const double r = 1 + 0.384 * t, angle = 0.5 * std::numbers::pi * (1 - s);
     return Point2{r * std::cos(angle), r * std::sin(angle)};
   });
-  EulerProblem problem{mesh::build_dual(mesh), {}, {2.25, 0}, {}, {}, false, {}, vortex_state};
+  FlowProblem<2> problem{mesh::build_dual(mesh), {}, {2.25, 0}, {}, {}, false, {}, vortex_state};
   problem.boundary = {{test::south, BoundaryKind::slip_wall},
                       {test::east, BoundaryKind::supersonic_outflow},
                       {test::north, BoundaryKind::slip_wall},
                       {test::west, BoundaryKind::supersonic_inflow}};
   SteadyOptions options;
   options.limiter = LimiterKind::none;
-  for (const Point2 p : mesh.points) options.initial.push_back(vortex_state(p));
+  for (const Point2 p : mesh.points) problem.initial.push_back(vortex_state(p));
   options.residual_drop_orders = 5;
-  const SteadyResult result = solver::solve_steady(problem, options);
+  const SteadyResult<2> result = solver::solve_steady(problem, options);
   CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
   double error = 0;
   for (const VertexId v : mesh.points.ids())
@@ -95,13 +95,13 @@ TEST_CASE("supersonic_vortex_converges_with_second_order_without_limiter") {
 TEST_CASE("explicit_and_implicit_marching_reach_the_same_steady_state") {
   test::start_petsc();
   const TriangleMesh mesh = test::mapped_grid(16, 12, false, ramp);
-  const EulerProblem problem = ramp_problem(mesh);
+  const FlowProblem<2> problem = ramp_problem(mesh);
   SteadyOptions options;
   options.residual_drop_orders = 9;
   options.limiter = LimiterKind::none;
-  const SteadyResult implicit = solver::solve_steady(problem, options);
+  const SteadyResult<2> implicit = solver::solve_steady(problem, options);
   options.marching = Marching::explicit_multistage;
-  const SteadyResult explicit_one = solver::solve_steady(problem, options);
+  const SteadyResult<2> explicit_one = solver::solve_steady(problem, options);
   CHECK_MESSAGE(implicit.verdict == Verdict::converged, implicit.words);
   CHECK_MESSAGE(explicit_one.verdict == Verdict::converged, explicit_one.words);
   double worst = 0;
@@ -115,13 +115,13 @@ TEST_CASE("transonic_airfoil_converges_ten_orders_with_the_defaults_and_lifts") 
   const TriangleMesh mesh = test::o_mesh(96, 32, 20, 0.02, test::naca0012);
   SteadyOptions options;
   options.residual_drop_orders = 10;
-  const SteadyResult result = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
+  const SteadyResult<2> result = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
   CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
   // A second way to the same discrete flow: the march with explicit stages.
   SteadyOptions explicit_options;
   explicit_options.marching = Marching::explicit_multistage;
   explicit_options.residual_drop_orders = 5;
-  const SteadyResult other = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), explicit_options);
+  const SteadyResult<2> other = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), explicit_options);
   CHECK_MESSAGE((other.verdict == Verdict::converged || other.verdict == Verdict::settled), other.words);
   CHECK(result.forces.cl == doctest::Approx(other.forces.cl).epsilon(2e-3).scale(0));
   CHECK(result.forces.cd == doctest::Approx(other.forces.cd).epsilon(2e-3).scale(0));
@@ -139,9 +139,9 @@ TEST_CASE("vortex_correction_takes_the_far_fields_distance_out_of_the_lift") {
   test::start_petsc();
   const auto lift = [](double radius, bool vortex) {
     const TriangleMesh mesh = test::o_mesh(64, 28, radius, 0.03, test::naca0012);
-    EulerProblem problem = airfoil_problem(mesh, 0.5, 2);
+    FlowProblem<2> problem = airfoil_problem(mesh, 0.5, 2);
     problem.vortex_correction = vortex;
-    const SteadyResult result = solver::solve_steady(problem);
+    const SteadyResult<2> result = solver::solve_steady(problem);
     CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
     return result.forces.cl;
   };
@@ -159,7 +159,7 @@ TEST_CASE("low_mach_flux_takes_the_false_drag_out_of_slow_flow") {
   const auto forces = [&](double mach, FluxKind flux) {
     SteadyOptions options;
     options.flux = flux;
-    const SteadyResult result = solver::solve_steady(airfoil_problem(mesh, mach, 2), options);
+    const SteadyResult<2> result = solver::solve_steady(airfoil_problem(mesh, mach, 2), options);
     CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
     return result.forces;
   };
@@ -176,9 +176,9 @@ TEST_CASE("a_march_has_the_same_bits_for_one_and_two_threads") {
   const TriangleMesh mesh = test::o_mesh(128, 50, 10, 0.02, test::naca0012);
   SteadyOptions options;
   options.max_iterations = 8;
-  const SteadyResult one = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
+  const SteadyResult<2> one = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
   options.threads = 2;
-  const SteadyResult two = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
+  const SteadyResult<2> two = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
   CHECK(one.state == two.state);
   REQUIRE(one.history.size() == two.history.size());
   CHECK(one.history.back().residual_drop_orders == two.history.back().residual_drop_orders);
@@ -189,11 +189,11 @@ TEST_CASE("a_march_has_the_same_bits_for_any_partition") {
   const TriangleMesh mesh = test::o_mesh(64, 24, 10, 0.02, test::naca0012);
   SteadyOptions options;
   options.max_iterations = 8;
-  const SteadyResult own = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
+  const SteadyResult<2> own = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
   options.parts = 7;  // the last one empty, the others all over the place
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) options.part_of.push_back(v * 5 % 11 % 6);
   options.threads = 2;
-  const SteadyResult given = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
+  const SteadyResult<2> given = solver::solve_steady(airfoil_problem(mesh, 0.8, 1.25), options);
   CHECK(own.state == given.state);
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("first_order_runs_and_is_more_diffusive") {
   SteadyOptions options;
   const double second = solver::solve_steady(airfoil_problem(mesh, 0.5, 2), options).forces.cd;
   options.order = 1;
-  const SteadyResult first = solver::solve_steady(airfoil_problem(mesh, 0.5, 2), options);
+  const SteadyResult<2> first = solver::solve_steady(airfoil_problem(mesh, 0.5, 2), options);
   CHECK(first.verdict == Verdict::converged);
   CHECK(first.forces.cd > 2 * std::abs(second));
 }

@@ -15,7 +15,7 @@ namespace {
 
 using namespace leonhard;
 
-EulerProblem square_problem(const TriangleMesh& mesh) {
+FlowProblem<2> square_problem(const TriangleMesh& mesh) {
   return {mesh::build_dual(mesh),
           {},
           {0.5, 0},
@@ -29,14 +29,14 @@ EulerProblem square_problem(const TriangleMesh& mesh) {
           {}};
 }
 
-EulerProblem airfoil_problem(const TriangleMesh& mesh) {
+FlowProblem<2> airfoil_problem(const TriangleMesh& mesh) {
   return {mesh::build_dual(mesh),        {},
           {0.8, 0.02}, {{test::south, BoundaryKind::slip_wall}, {test::north, BoundaryKind::far_field}},
           {},          true,
           {0.25, 0},   {}};
 }
 
-std::string complaint(const EulerProblem& problem, const SteadyOptions& options = {}) {
+std::string complaint(const FlowProblem<2>& problem, const SteadyOptions& options = {}) {
   try {
     (void)solver::solve_steady(problem, options);
   } catch (const InputError& error) {
@@ -50,13 +50,13 @@ bool says(const std::string& text, const std::string& part) { return text.find(p
 TEST_CASE("nonsense_state_is_diverged_and_names_the_vertex") {
   test::start_petsc();
   const TriangleMesh mesh = test::shaken_square(6, 0.1, 1);
-  const EulerProblem problem = square_problem(mesh);
-  for (const State nonsense :
-       {State{-1, 0.5, 0, 0.7}, State{1, 0.5, 0, std::numeric_limits<double>::quiet_NaN()}}) {
+  FlowProblem<2> problem = square_problem(mesh);
+  for (const State<2> nonsense :
+       {State<2>{-1, 0.5, 0, 0.7}, State<2>{1, 0.5, 0, std::numeric_limits<double>::quiet_NaN()}}) {
     SteadyOptions options;
-    options.initial = PerId<VertexId, State>(mesh.vertex_count(), solver::free_stream_state({}, {0.5, 0}));
-    options.initial[VertexId::from(9)] = nonsense;
-    const SteadyResult result = solver::solve_steady(problem, options);
+    problem.initial = PerId<VertexId, State<2>>(mesh.vertex_count(), solver::free_stream_state<2>({}, {0.5, 0}));
+    problem.initial[VertexId::from(9)] = nonsense;
+    const SteadyResult<2> result = solver::solve_steady(problem, options);
     CHECK(result.verdict == Verdict::diverged);
     REQUIRE(result.bad_vertex);
     CHECK(result.bad_vertex->vertex == VertexId::from(9));
@@ -74,19 +74,19 @@ TEST_CASE("explicit_march_with_an_absurd_time_step_cuts_it_and_goes_on") {
   options.marching = Marching::explicit_multistage;
   options.cfl_start = 1e4;
   options.max_iterations = 50;
-  const SteadyResult result = solver::solve_steady(airfoil_problem(mesh), options);
+  const SteadyResult<2> result = solver::solve_steady(airfoil_problem(mesh), options);
   CHECK(result.verdict == Verdict::iteration_limit);
   CHECK(result.history.size() == 51);
   CHECK(result.rejected_steps > 0);
   CHECK_FALSE(result.bad_vertex);
   CHECK(result.history.back().cfl < 100);
-  for (const State& w : result.state) CHECK(solver::is_physical(w));
+  for (const State<2>& w : result.state) CHECK(solver::is_physical(w));
 }
 
 TEST_CASE("bad_vertex_is_the_first_unphysical_one_or_else_the_first_whose_residual_is_not_finite") {
   const TriangleMesh mesh = test::shaken_square(6, 0.1, 1);
-  const EulerProblem problem = square_problem(mesh);
-  PerId<VertexId, State> state(mesh.vertex_count(), solver::free_stream_state({}, {0.5, 0}));
+  const FlowProblem<2> problem = square_problem(mesh);
+  PerId<VertexId, State<2>> state(mesh.vertex_count(), solver::free_stream_state<2>({}, {0.5, 0}));
   std::vector<double> residual(4 * mesh.vertex_count());
   CHECK_FALSE(solver::find_bad_vertex(problem, state, residual));
   residual[4 * 30 + 3] = std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ TEST_CASE("stop_request_ends_the_march_at_once") {
     options.marching = marching;
     std::stop_source source;
     int reports = 0;
-    const SteadyResult result = solver::solve_steady(
+    const SteadyResult<2> result = solver::solve_steady(
         airfoil_problem(mesh), options,
         [&](const Iteration&) {
           if (++reports == 4) source.request_stop();
@@ -127,7 +127,7 @@ TEST_CASE("iteration_limit_is_a_verdict") {
   const TriangleMesh mesh = test::o_mesh(32, 10, 8, 0.05, test::naca0012);
   SteadyOptions options;
   options.max_iterations = 3;
-  const SteadyResult result = solver::solve_steady(airfoil_problem(mesh), options);
+  const SteadyResult<2> result = solver::solve_steady(airfoil_problem(mesh), options);
   CHECK(result.verdict == Verdict::iteration_limit);
   CHECK(result.history.size() == 4);
 }
@@ -135,9 +135,9 @@ TEST_CASE("iteration_limit_is_a_verdict") {
 TEST_CASE("a_solution_at_the_start_is_converged_at_once") {
   test::start_petsc();
   const TriangleMesh mesh = test::shaken_square(6, 0.2, 1);
-  EulerProblem problem = square_problem(mesh);
+  FlowProblem<2> problem = square_problem(mesh);
   problem.boundary[test::south] = BoundaryKind::far_field;
-  const SteadyResult result = solver::solve_steady(problem);
+  const SteadyResult<2> result = solver::solve_steady(problem);
   CHECK(result.verdict == Verdict::converged);
   CHECK(result.history.size() == 1);
 }
@@ -169,26 +169,26 @@ TEST_CASE("hanging_residual_with_steady_coefficients_is_settled_and_with_moving_
 
 TEST_CASE("marker_without_a_condition_and_condition_without_a_marker_are_refused_by_name") {
   const TriangleMesh mesh = test::shaken_square(4, 0.1, 1);
-  EulerProblem problem = square_problem(mesh);
+  FlowProblem<2> problem = square_problem(mesh);
   problem.boundary.erase(test::east);
   CHECK(says(complaint(problem), "east"));
-  EulerProblem other = square_problem(mesh);
+  FlowProblem<2> other = square_problem(mesh);
   other.boundary[77] = BoundaryKind::slip_wall;
   CHECK(says(complaint(other), "77"));
 }
 
 TEST_CASE("numbers_out_of_range_are_refused_by_name") {
   const TriangleMesh mesh = test::shaken_square(4, 0.1, 1);
-  const EulerProblem good = square_problem(mesh);
+  const FlowProblem<2> good = square_problem(mesh);
   const auto with_mach = [&](double mach) {
-    EulerProblem problem = good;
+    FlowProblem<2> problem = good;
     problem.free_stream.mach = mach;
     return complaint(problem);
   };
   CHECK(says(with_mach(-0.8), "mach"));
   CHECK(says(with_mach(0), "mach"));
   CHECK(says(with_mach(std::numeric_limits<double>::quiet_NaN()), "mach"));
-  EulerProblem problem = good;
+  FlowProblem<2> problem = good;
   problem.gas.gamma = 1;
   CHECK(says(complaint(problem), "gamma"));
   SteadyOptions options;
@@ -200,9 +200,9 @@ TEST_CASE("numbers_out_of_range_are_refused_by_name") {
   options = {};
   options.cfl_start = -1;
   CHECK(says(complaint(good, options), "cfl_start"));
-  options = {};
-  options.initial.push_back({1, 0, 0, 1});
-  CHECK(says(complaint(good, options), "initial"));
+  problem = good;
+  problem.initial.push_back({1, 0, 0, 1});
+  CHECK(says(complaint(problem), "initial"));
   options = {};
   options.parts = 2;
   options.part_of.assign(3, 0);

@@ -16,13 +16,13 @@ int main() {
     return Point2{x, floor + t * (1 - floor)};
   });
   const PetscSession petsc;
-  const EulerProblem problem{.dual = mesh::build_dual(mesh),
+  const FlowProblem<2> problem{.dual = mesh::build_dual(mesh),
                              .free_stream = {.mach = 2},
                              .boundary = {{1, BoundaryKind::slip_wall},
                                           {2, BoundaryKind::supersonic_outflow},
                                           {3, BoundaryKind::supersonic_outflow},
                                           {4, BoundaryKind::supersonic_inflow}}};
-  const SteadyResult flow = solver::solve_steady(problem, {.residual_drop_orders = 6});
+  const SteadyResult<2> flow = solver::solve_steady(problem, {.residual_drop_orders = 6});
   claim(flow.verdict == Verdict::converged || flow.verdict == Verdict::settled, flow.words.c_str());
   claim(flow.surface.size() == 1, "there is one wall");
   if (flow.surface.empty()) return claim.failed();
