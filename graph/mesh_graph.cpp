@@ -208,6 +208,21 @@ CsrGraph vertex_graph(const TetMesh& mesh) {
   return graph_from_edges(vertices, list).graph;
 }
 
+CsrGraph vertex_graph(std::size_t vertices, const EdgeList& edges) {
+  const std::uint32_t count = as_vertex_count(vertices, "vertices");
+  std::vector<Edge> list;
+  list.reserve(edges.ends.size());
+  for (const auto& [a, b] : edges.ends) {
+    if (a.raw >= count || b.raw >= count)
+      throw InputError("edges",
+                       "edge " + std::to_string(a.raw) + "-" + std::to_string(b.raw) + " has an end that is no vertex, the mesh has " +
+                           std::to_string(count),
+                       "give the edges of this mesh");
+    list.push_back({static_cast<std::uint32_t>(a.raw), static_cast<std::uint32_t>(b.raw)});
+  }
+  return graph_from_edges(count, list).graph;
+}
+
 CsrGraph dual_graph(const TriangleMesh& mesh) {
   return graph_of_neighbours(mesh.neighbours, mesh.triangle_count(), "triangle");
 }

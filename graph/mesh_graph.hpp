@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "leonhard/kernel/point.hpp"
+#include "leonhard/mesh/edge_list.hpp"
 #include "leonhard/mesh/compressed_rows.hpp"
 #include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
@@ -100,6 +101,14 @@ struct EdgeListGraph {
 /// throws  InputError on a corner that is no vertex, a tetrahedron that names a vertex twice, or a mesh too large
 /// Cost O(vertices + tetrahedra log degree); neighbours are not read.
 [[nodiscard]] CsrGraph vertex_graph(const TetMesh& mesh);
+
+/// The graph of the vertices and edges of a mesh of any cells.
+///
+/// vertices  as many as the mesh has
+/// edges     mesh::build_edges of it, or those of its dual
+/// throws    InputError on an end that is no vertex and on a mesh too large
+/// Cost O(vertices + edges).
+[[nodiscard]] CsrGraph vertex_graph(std::size_t vertices, const EdgeList& edges);
 
 /// The dual graph of a tetrahedral mesh: one vertex a tetrahedron, an edge where two share a face.
 ///

@@ -87,7 +87,7 @@ FlowProblem<2> problem_of(const SolveRun& run) {
                        .gas = {c.flow.gamma},
                        .free_stream = {c.flow.mach, c.flow.alpha_deg * std::numbers::pi / 180},
                        .boundary = {},
-                       .reference = {c.reference.length, c.reference.moment_centre},
+                       .reference = {.length = c.reference.length, .moment_centre = c.reference.moment_centre},
                        .vortex_correction = c.farfield.vortex_correction,
                        .vortex_centre = c.reference.moment_centre,
                        .outer_state = {}};
