@@ -45,7 +45,7 @@ void time_residual(const FlowProblem<2>& problem) {
   solver::FlowResidual<2> residual(problem, {});
   const PerId<VertexId, State<2>> state(problem.dual.vertex_count(),
                                      solver::free_stream_state<2>(problem.gas, problem.free_stream));
-  std::vector<double> out, blocks;
+  std::vector<double> out, blocks(16 * residual.plan().block_count());
   const double scale = 1e6 / static_cast<double>(problem.dual.vertex_count());
   std::cout << "inner loops: " << residual.kernels().name << "\n";
   std::cout << "residual: " << scale * least_seconds(200, [&] { residual.evaluate(state, out); })

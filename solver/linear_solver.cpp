@@ -74,6 +74,7 @@ struct BlockSystem::Petsc {
   std::exception_ptr thrown;  ///< by the product: kept while PETSc's C frames are left by an error code
   std::stop_token stop;
   bool stopped = false, has_factors = false;
+  bool in_place = false;  ///< the factors are written over the matrix
   double first_norm = 0, last_norm = 0, relative_tolerance = 0;
   PetscInt max_iterations = 0;
 
@@ -156,13 +157,15 @@ void check_pattern(const BlockPattern& pattern) {
 
 }  // namespace
 
-BlockSystem::BlockSystem(const BlockPattern& pattern, int block_rows)
+BlockSystem::BlockSystem(const BlockPattern& pattern, int block_rows, int fill)
     : petsc_(std::make_unique<Petsc>()) {
   if (!petsc_runs()) throw std::logic_error("BlockSystem: make a PetscSession first");
   check_pattern(pattern);
   if (block_rows < 1) throw InputError("block", "has " + std::to_string(block_rows) + " rows", "give at least one");
+  if (fill < 0) throw InputError("fill", "is " + std::to_string(fill), "give a number of levels from 0");
   const PetscInt width = block_rows;
   Petsc& self = *petsc_;
+  self.in_place = fill == 0;
   self.block_numbers = static_cast<std::size_t>(width) * static_cast<std::size_t>(width) * pattern.link_count();
   const auto rows = static_cast<PetscInt>(pattern.size()), size = width * rows;
   self.size = static_cast<std::size_t>(size);
@@ -182,7 +185,8 @@ BlockSystem::BlockSystem(const BlockPattern& pattern, int block_rows)
   check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
   check(PCSetType(pc, PCILU), "PCSetType");
   check(PCFactorSetMatOrderingType(pc, MATORDERINGNATURAL), "PCFactorSetMatOrderingType");
-  check(PCFactorSetLevels(pc, 1), "PCFactorSetLevels");
+  check(PCFactorSetLevels(pc, fill), "PCFactorSetLevels");
+  check(PCFactorSetUseInPlace(pc, self.in_place ? PETSC_TRUE : PETSC_FALSE), "PCFactorSetUseInPlace");
   check(KSPSetType(self.ksp, KSPGMRES), "KSPSetType");
   check(KSPSetPCSide(self.ksp, PC_RIGHT), "KSPSetPCSide");
   check(KSPSetNormType(self.ksp, KSP_NORM_UNPRECONDITIONED), "KSPSetNormType");
@@ -205,20 +209,31 @@ bool all_finite(std::span<const double> numbers) {
 
 }  // namespace
 
-bool BlockSystem::factor(std::span<const double> blocks) {
+std::span<double> BlockSystem::blocks() {
   Petsc& self = *petsc_;
-  require_size("blocks", blocks.size(), self.block_numbers);
-  if (!all_finite(blocks.first(self.block_numbers))) return false;  // PETSc's pivot test lets NaN pass
-  PetscScalar* values = nullptr;
+  if (self.in_place) check(MatSetUnfactored(self.matrix), "MatSetUnfactored");
+  PetscScalar* values = nullptr;  // stays valid: PETSc moves nothing after the pattern is set
   check(MatSeqBAIJGetArray(self.matrix, &values), "MatSeqBAIJGetArray");
-  std::copy_n(blocks.begin(), self.block_numbers, values);
+  const std::span<double> all(values, self.block_numbers);
   check(MatSeqBAIJRestoreArray(self.matrix, &values), "MatSeqBAIJRestoreArray");
+  return all;
+}
+
+bool BlockSystem::factor(std::span<const double> given) {
+  require_size("blocks", given.size(), petsc_->block_numbers);
+  std::copy_n(given.begin(), petsc_->block_numbers, blocks().begin());
+  return factor();
+}
+
+bool BlockSystem::factor() {
+  Petsc& self = *petsc_;
+  if (!all_finite(blocks())) return false;  // PETSc's pivot test lets NaN pass
   check(MatAssemblyBegin(self.matrix, MAT_FINAL_ASSEMBLY),
         "MatAssemblyBegin");  // tells PETSc that blocks changed
   check(MatAssemblyEnd(self.matrix, MAT_FINAL_ASSEMBLY), "MatAssemblyEnd");
   PC pc = nullptr;
   check(KSPGetPC(self.ksp, &pc), "KSPGetPC");
-  if (self.has_factors) {  // PETSc leaves the mark of a failed factorisation on the factors
+  if (self.has_factors && !self.in_place) {  // PETSc leaves the mark of a failed factorisation on the factors
     Mat factors = nullptr;
     check(PCFactorGetMatrix(pc, &factors), "PCFactorGetMatrix");
     check(MatFactorClearError(factors), "MatFactorClearError");
@@ -243,6 +258,8 @@ LinearReport BlockSystem::solve(std::span<const double> b, std::span<double> x, 
                      "a tolerance of " + std::to_string(options.relative_tolerance) + " and at most " +
                          std::to_string(options.max_iterations) + " iterations",
                      "give a tolerance that is not negative and at least one iteration");
+  if (self.in_place && !product)
+    throw std::logic_error("BlockSystem: the factors took the matrix's place, give a product");
   self.product = &product;
   self.stop = std::move(stop);
   self.stopped = false;

@@ -71,19 +71,26 @@ class BlockSystem {
  public:
   /// pattern  of the blocks, copied: columns ascending in each row, every row with its diagonal
   /// rows     of a block, >= 1
+  /// fill     levels of fill of the incomplete factors, >= 0. With 0 they take the matrix's own place: half the memory, but
+  ///          solve needs a product
   /// throws   std::logic_error without a PetscSession, InputError naming the row that is not so
-  explicit BlockSystem(const BlockPattern& pattern, int rows = 4);
+  explicit BlockSystem(const BlockPattern& pattern, int rows = 4, int fill = 1);
   ~BlockSystem();
   BlockSystem(BlockSystem&&) noexcept;
   BlockSystem& operator=(BlockSystem&&) noexcept;
 
-  /// Set the matrix and its incomplete factors ILU(1) (one level of fill) in the rows' own order.
-  /// blocks   rows^2 numbers a block of the pattern, column by column; may be longer, InputError if it is shorter
-  /// returns  false where a pivot block is singular or a number is not finite; other blocks may be given then
+  /// The matrix, to be written whole before each factor(): rows^2 numbers a block of the pattern, column by column.
+  [[nodiscard]] std::span<double> blocks();
+
+  /// Make the incomplete factors of what blocks() holds, in the rows' own order.
+  /// returns  false where a pivot block is singular or a number is not finite; other blocks may be written then
+  [[nodiscard]] bool factor();
+
+  /// The same of blocks that lie elsewhere; may be longer, InputError if shorter.
   [[nodiscard]] bool factor(std::span<const double> blocks);
 
   /// Solve A x = b by GMRES, preconditioned from the right by the last factors, started at 0.
-  /// product  A; empty: the matrix itself. What it throws ends the solve and passes through to the caller
+  /// product  A; empty: the matrix itself, std::logic_error where the factors took its place. What it throws ends the solve and passes through to the caller
   /// throws   std::runtime_error naming the call of PETSc that failed
   [[nodiscard]] LinearReport solve(std::span<const double> b, std::span<double> x,
                                    const LinearOptions& options, const LinearOperator& product = {},

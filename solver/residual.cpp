@@ -129,13 +129,13 @@ void FlowResidual<dim>::evaluate_with(const double* gradient, const double* unli
     }
     kernels_.fluxes(mesh, range, settings_, numbers(state), gradient, residual.data());
     if (viscous()) kernels_.viscous_fluxes(mesh, range, settings_, numbers(state), unlimited, residual.data());
-    add_boundary_fluxes(part, state, residual);
+    add_boundary_fluxes(part, unlimited, state, residual);
     walls_.constrain(part, state, residual, reactions_);
   });
 }
 
 template <int dim>
-void FlowResidual<dim>::add_boundary_fluxes(std::size_t part, const States& state,
+void FlowResidual<dim>::add_boundary_fluxes(std::size_t part, const double* unlimited, const States& state,
                                             std::vector<double>& residual) const {
   const PartRange& range = plan_.parts[part];
   for (std::uint32_t k = range.boundary_begin; k < range.boundary_end; ++k) {
@@ -144,7 +144,14 @@ void FlowResidual<dim>::add_boundary_fluxes(std::size_t part, const States& stat
     std::array<Conserved<dim>, MixedFacet<dim>::most_corners> flux{};
     Conserved<dim> sum{};
     for (std::size_t c = 0; c < corners.size(); ++c) {
-      flux[c] = boundary_flux(constants(), facet.condition, corners[c], state[corners[c].vertex]);
+      const VertexId v = corners[c].vertex;
+      flux[c] = boundary_flux(constants(), facet.condition, corners[c], state[v]);
+      if (viscous()) {
+        const Conserved<dim> friction =
+            viscous_boundary_flux(viscous_constants(), facet.condition.kind, corners[c], state[v],
+                                  unlimited ? unlimited + dim * n * v.index() : nullptr);
+        for (std::size_t i = 0; i < n; ++i) flux[c][i] += friction[i];
+      }
       for (std::size_t i = 0; i < n; ++i) sum[i] += flux[c][i];
     }
     for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -178,9 +185,8 @@ void FlowResidual<dim>::wave_speed_sums(const States& state, std::vector<double>
 }
 
 template <int dim>
-void FlowResidual<dim>::jacobian(const States& state, std::vector<double>& blocks) {
+void FlowResidual<dim>::jacobian(const States& state, std::span<double> blocks) {
   follow_lift(state);
-  blocks.resize(n * n * (plan_.block_count() + plan_.parts.size()));
   const SweepMesh<dim> mesh = plan_.view();
   run_(plan_.parts.size(), [&](std::size_t part) {
     const PartRange& range = plan_.parts[part];
@@ -193,7 +199,7 @@ void FlowResidual<dim>::jacobian(const States& state, std::vector<double>& block
 }
 
 template <int dim>
-void FlowResidual<dim>::add_boundary_jacobians(std::size_t part, const States& state, std::vector<double>& blocks) const {
+void FlowResidual<dim>::add_boundary_jacobians(std::size_t part, const States& state, std::span<double> blocks) const {
   const PartRange& range = plan_.parts[part];
   for (std::uint32_t k = range.boundary_begin; k < range.boundary_end; ++k) {
     const BoundaryFacet<dim>& facet = boundary_[plan_.part_boundary[k]];
@@ -206,7 +212,7 @@ void FlowResidual<dim>::add_boundary_jacobians(std::size_t part, const States& s
         if (share == 0) continue;
         const auto w = static_cast<std::uint32_t>(corners[of].vertex.index());
         const std::size_t block = of == c ? plan_.diagonal_block(v) : plan_.neighbour_block(v, plan_.slot_to(v, w));
-        add_boundary_jacobian(constants(), facet.condition, corners[of], state[corners[of].vertex],
+        add_boundary_jacobian(constants(), viscous_constants(), facet.condition, corners[of], state[corners[of].vertex],
                               share * corners[c].size, blocks.data() + n * n * block);
       }
     }

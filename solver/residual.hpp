@@ -52,8 +52,9 @@ class FlowResidual {
 
   /// Jacobian by conservative variables of the residual with states constant in a cell, the dissipation (near the flux's:
   /// flux_jacobians) and the viscosity held fixed, boundary conditions exact. Blocks of n x n, column by column, in the order of
-  /// EdgePlan::neighbour_block; then rubbish.
-  void jacobian(const PerId<VertexId, State<dim>>& state, std::vector<double>& blocks);
+  /// EdgePlan::neighbour_block.
+  /// blocks  n^2 plan().block_count() numbers at least
+  void jacobian(const PerId<VertexId, State<dim>>& state, std::span<double> blocks);
 
   /// What the walls took up in the last call of evaluate or evaluate_first_order.
   [[nodiscard]] std::vector<WallStress<dim>> wall_stresses(const PerId<VertexId, State<dim>>& state) const {
@@ -71,12 +72,16 @@ class FlowResidual {
   using States = PerId<VertexId, State<dim>>;
 
   void evaluate_with(const double* gradient, const double* unlimited, const States& state, std::vector<double>& residual);
-  void add_boundary_fluxes(std::size_t part, const States& state, std::vector<double>& residual) const;
-  void add_boundary_jacobians(std::size_t part, const States& state, std::vector<double>& blocks) const;
+  void add_boundary_fluxes(std::size_t part, const double* unlimited, const States& state,
+                           std::vector<double>& residual) const;
+  void add_boundary_jacobians(std::size_t part, const States& state, std::span<double> blocks) const;
   void follow_lift(const States& state);
   [[nodiscard]] bool viscous() const { return settings_.viscosity > 0; }
   [[nodiscard]] BoundaryConstants constants() const {
     return {problem_.gas, options_.entropy_fix, problem_.free_stream};
+  }
+  [[nodiscard]] ViscousConstants viscous_constants() const {
+    return {settings_.gamma, settings_.viscosity, settings_.sutherland, settings_.inverse_prandtl};
   }
 
   const FlowProblem<dim>& problem_;

@@ -61,10 +61,13 @@ template <int dim>
 class ImplicitMarch {
  public:
   static constexpr std::size_t n = dim + 2;
+  /// Of the incomplete factors: one level pays in the plane; in space it costs three times the matrix's memory, and factors
+  /// in the matrix's place with products by differences in the start-up, too, are faster.
+  static constexpr int fill_levels = dim == 2 ? 1 : 0;
 
   explicit ImplicitMarch(March<dim>& march)
       : march_(march),
-        system_(block_pattern(march.spatial.plan()), static_cast<int>(n)),
+        system_(block_pattern(march.spatial.plan()), static_cast<int>(n), fill_levels),
         starting_(march.problem.initial.empty()) {
     to_conserved(march.problem.gas, march.state, q_);
     step_.resize(q_.size());
@@ -141,23 +144,24 @@ class ImplicitMarch {
   }
 
   bool assemble() {
-    march_.spatial.jacobian(march_.state, blocks_);
+    const std::span<double> blocks = system_.blocks();
+    march_.spatial.jacobian(march_.state, blocks);
     march_.spatial.wave_speed_sums(march_.state, speeds_);
     const EdgePlan<dim>& plan = march_.spatial.plan();
     for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
       speeds_[v] /= march_.cfl;
-      double* block = blocks_.data() + n * n * plan.diagonal_block(v);
+      double* block = blocks.data() + n * n * plan.diagonal_block(v);
       for (std::size_t i = 0; i < n; ++i) block[(n + 1) * i] += speeds_[v];
     }
-    return system_.factor(blocks_);
+    return system_.factor();
   }
 
   LinearReport solve() {
     right_.resize(q_.size());
     for (std::size_t i = 0; i < q_.size(); ++i) right_[i] = -residual_[i];
-    if (starting_) return system_.solve(right_, step_, start_up_linear, {}, march_.stop);
+    if (starting_ && fill_levels > 0) return system_.solve(right_, step_, start_up_linear, {}, march_.stop);
     return system_.solve(
-        right_, step_, newton_linear,
+        right_, step_, starting_ ? start_up_linear : newton_linear,
         [this](std::span<const double> x, std::span<double> y) { multiply(x, y); }, march_.stop);
   }
 
@@ -169,7 +173,7 @@ class ImplicitMarch {
     trial_.resize(q_.size());
     for (std::size_t i = 0; i < q_.size(); ++i) trial_[i] = q_[i] + e * x[i];
     (void)to_states(march_.problem.gas, trial_, trial_state_);
-    march_.spatial.evaluate(trial_state_, trial_residual_);
+    evaluate(trial_state_, trial_residual_);
     for (std::size_t i = 0; i < q_.size(); ++i)
       y[i] = (trial_residual_[i] - residual_[i]) / e + speeds_[i / n] * x[i];
   }
@@ -273,7 +277,7 @@ class ImplicitMarch {
   bool starting_;  ///< in the start-up
   LinearReport linear_{};
   std::size_t clipped_ = 0;  ///< vertices that the start-up held back in this step
-  std::vector<double> q_, residual_, step_, right_, blocks_, speeds_;
+  std::vector<double> q_, residual_, step_, right_, speeds_;
   std::vector<double> trial_, trial_residual_;
   PerId<VertexId, State<dim>> trial_state_;
   double first_norm_ = 0, norm_ = 0, trial_norm_ = 0;  ///< of this phase's residual

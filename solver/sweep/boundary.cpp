@@ -12,6 +12,8 @@
 namespace leonhard::solver {
 namespace {
 
+constexpr double jump_weight = 2;  ///< of the jump to the outside in the gradient; below 1 the gradient inside could outweigh it
+
 template <int dim, class T>
 Vector<dim, T> vector_of_axes(const Axes<dim>& a) {
   Vector<dim, T> v;
@@ -98,6 +100,28 @@ Components<dim, T> flux_out(const BoundaryConstants& k, const BoundaryCondition<
   return pressure_alone(w, n);
 }
 
+/// The viscous flux, for any number type.
+template <int dim, class T>
+Components<dim, T> viscous_flux_out(const ViscousConstants& k, BoundaryKind kind, const BoundaryCorner<dim>& corner,
+                                    const Primitive<dim, T>& w, ViscousGradient<dim, T> gradient) {
+  const Vector<dim, T> n = vector_of_axes<dim, T>(corner.n);
+  if (kind == BoundaryKind::far_field || kind == BoundaryKind::supersonic_inflow) {
+    const Primitive<dim, T> outer = primitive<dim, T>(corner.outer);
+    const T share = T(jump_weight / corner.height);
+    const Vector<dim, T> none = vector_of_axes<dim, T>({});
+    correct_along_normal(difference(outer.velocity, w.velocity), T(temperature(k.gamma, outer) - temperature(k.gamma, w)), none,
+                         n, share, gradient);
+  }
+  Components<dim, T> f = viscous_flux(k, w, gradient, n);
+  if (kind != BoundaryKind::slip_wall && kind != BoundaryKind::symmetry && kind != BoundaryKind::no_slip_wall) return f;
+  T along = T(0.0);
+  for (int i = 0; i < dim; ++i) along += f.e[1 + i] * n.e[i];
+  if (kind == BoundaryKind::no_slip_wall) along = T(0.0);
+  for (int i = 0; i < dim; ++i) f.e[1 + i] = along * n.e[i];
+  f.e[dim + 1] = T(0.0);
+  return f;
+}
+
 template <int dim>
 BoundaryFacet<dim> make_facet(const FlowProblem<dim>& problem, const DualFacet<dim>& from, bool vortex) {
   BoundaryFacet<dim> facet;
@@ -154,6 +178,14 @@ std::vector<BoundaryFacet<dim>> make_boundary(const FlowProblem<dim>& problem) {
   std::vector<BoundaryFacet<dim>> facets;
   facets.reserve(problem.dual.boundary.size());
   for (const DualFacet<dim>& facet : problem.dual.boundary) facets.push_back(make_facet(problem, facet, vortex));
+  PerId<VertexId, double> size(problem.dual.vertex_count(), 0.0);
+  for (const BoundaryFacet<dim>& facet : facets)
+    for (const BoundaryCorner<dim>& corner : facet.corners()) size[corner.vertex] += corner.size;
+  for (BoundaryFacet<dim>& facet : facets)
+    for (int c = 0; c < facet.corner_count; ++c) {
+      BoundaryCorner<dim>& corner = facet.corner[static_cast<std::size_t>(c)];
+      corner.height = problem.dual.volume[corner.vertex] / size[corner.vertex];
+    }
   return facets;
 }
 
@@ -176,8 +208,25 @@ Conserved<dim> boundary_flux(const BoundaryConstants& constants, const BoundaryC
 }
 
 template <int dim>
-void add_boundary_jacobian(const BoundaryConstants& constants, const BoundaryCondition<dim>& condition,
-                           const BoundaryCorner<dim>& corner, const State<dim>& w, double factor, double* block) {
+Conserved<dim> viscous_boundary_flux(const ViscousConstants& constants, BoundaryKind kind, const BoundaryCorner<dim>& corner,
+                                     const State<dim>& w, const double* gradient) {
+  const Primitive<dim, double> inside = primitive<dim, double>(w);
+  ViscousGradient<dim, double> g{};
+  for (int j = 0; gradient && j < dim; ++j) {
+    const double* by = gradient + j * (dim + 2);
+    for (int i = 0; i < dim; ++i) g.velocity[i].e[j] = by[1 + i];
+    g.temperature.e[j] = constants.gamma * (by[dim + 1] - w.p / w.rho * by[0]) / w.rho;
+  }
+  const Components<dim, double> f = viscous_flux_out(constants, kind, corner, inside, g);
+  Conserved<dim> out;
+  std::copy_n(f.e, dim + 2, out.begin());
+  return out;
+}
+
+template <int dim>
+void add_boundary_jacobian(const BoundaryConstants& constants, const ViscousConstants& viscous,
+                           const BoundaryCondition<dim>& condition, const BoundaryCorner<dim>& corner, const State<dim>& w,
+                           double factor, double* block) {
   constexpr int n = dim + 2;
   using Number = DualNumber<n>;
   const Conserved<dim> q = conserved_of(constants.gas, w);
@@ -188,7 +237,12 @@ void add_boundary_jacobian(const BoundaryConstants& constants, const BoundaryCon
     inside.velocity.e[i] = Number::variable(q[static_cast<std::size_t>(1 + i)], 1 + i) / rho;
   inside.p = (constants.gas.gamma - 1) *
              (Number::variable(q[dim + 1], dim + 1) - 0.5 * rho * dot(inside.velocity, inside.velocity));
-  const Components<dim, Number> f = flux_out(constants, condition, corner, inside);
+  Components<dim, Number> f = flux_out(constants, condition, corner, inside);
+  if (viscous.viscosity > 0) {
+    const Components<dim, Number> friction =
+        viscous_flux_out(viscous, condition.kind, corner, inside, ViscousGradient<dim, Number>{});
+    for (int i = 0; i < n; ++i) f.e[i] += friction.e[i];
+  }
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) block[n * j + i] += factor * f.e[i].by[j];
 }
@@ -199,8 +253,11 @@ void add_boundary_jacobian(const BoundaryConstants& constants, const BoundaryCon
   template void set_far_field_lift(const FlowProblem<dim>&, double, std::span<BoundaryFacet<dim>>);                  \
   template Conserved<dim> boundary_flux(const BoundaryConstants&, const BoundaryCondition<dim>&,                     \
                                         const BoundaryCorner<dim>&, const State<dim>&);                              \
-  template void add_boundary_jacobian(const BoundaryConstants&, const BoundaryCondition<dim>&,                       \
-                                      const BoundaryCorner<dim>&, const State<dim>&, double, double*);
+  template Conserved<dim> viscous_boundary_flux(const ViscousConstants&, BoundaryKind, const BoundaryCorner<dim>&,    \
+                                                const State<dim>&, const double*);                                   \
+  template void add_boundary_jacobian(const BoundaryConstants&, const ViscousConstants&,                             \
+                                      const BoundaryCondition<dim>&, const BoundaryCorner<dim>&, const State<dim>&, double,   \
+                                      double*);
 LEONHARD_BOUNDARY(2)
 LEONHARD_BOUNDARY(3)
 #undef LEONHARD_BOUNDARY

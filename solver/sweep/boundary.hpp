@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "leonhard/solver/flux/viscous.hpp"
 #include "leonhard/solver/problem.hpp"
 
 namespace leonhard::solver {
@@ -15,6 +16,7 @@ struct BoundaryCorner {
   VertexId vertex;
   Axes<dim> n{};      ///< unit normal, outward
   double size{};      ///< of the corner's share of the facet
+  double height{};    ///< of the vertex's control volume over its part of the boundary
   State<dim> outer{};  ///< outside (far field, supersonic inflow)
   Axes<2> vortex{};   ///< velocity per unit lift coefficient (far field of the plane)
 };
@@ -75,9 +77,19 @@ template <int dim>
 [[nodiscard]] Conserved<dim> boundary_flux(const BoundaryConstants& constants, const BoundaryCondition<dim>& condition,
                                            const BoundaryCorner<dim>& corner, const State<dim>& w);
 
-/// Add factor times the derivative of boundary_flux by the conservative variables of w, exact, to a block, column by column.
+/// What friction and conduction add to it, by the gradients of the primitive variables at the corner (dim rows of dim + 2; nullptr
+/// for none): all where the gas passes, with the jump to the outside over the height where there is an outside (far field,
+/// supersonic inflow); the normal stress where it slips; nothing on no-slip walls, whose reaction StrongWalls finds.
 template <int dim>
-void add_boundary_jacobian(const BoundaryConstants& constants, const BoundaryCondition<dim>& condition,
-                           const BoundaryCorner<dim>& corner, const State<dim>& w, double factor, double* block);
+[[nodiscard]] Conserved<dim> viscous_boundary_flux(const ViscousConstants& constants, BoundaryKind kind,
+                                                   const BoundaryCorner<dim>& corner, const State<dim>& w,
+                                                   const double* gradient);
+
+/// Add factor times the derivative of boundary_flux, and of viscous_boundary_flux without gradients, by the conservative variables
+/// of w, exact, to a block, column by column.
+template <int dim>
+void add_boundary_jacobian(const BoundaryConstants& constants, const ViscousConstants& viscous,
+                           const BoundaryCondition<dim>& condition, const BoundaryCorner<dim>& corner, const State<dim>& w,
+                           double factor, double* block);
 
 }  // namespace leonhard::solver

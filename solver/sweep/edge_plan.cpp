@@ -125,8 +125,7 @@ class PartEdges {
  private:
   [[nodiscard]] EdgeEnds rubbish(std::uint32_t part) const {
     const auto line = static_cast<std::uint32_t>(plan_.vertex_count + rubbish_stride * part);
-    const auto block = static_cast<std::uint32_t>(plan_.block_count() + part);
-    return {0, 0, line, line, block, block, block, block};
+    return {0, 0, line, line, no_block, no_block, no_block, no_block};
   }
   /// A face of size 0 has the unit normal along the edge, and an edge of no length (of the padding) one axis, so that nothing
   /// divides by zero.

@@ -94,7 +94,7 @@ void StrongWalls<dim>::constrain(std::size_t part, const PerId<VertexId, State<d
 }
 
 template <int dim>
-void StrongWalls<dim>::constrain_jacobian(std::size_t part, const EdgePlan<dim>& plan, std::vector<double>& blocks) const {
+void StrongWalls<dim>::constrain_jacobian(std::size_t part, const EdgePlan<dim>& plan, std::span<double> blocks) const {
   constexpr std::size_t n = dim + 2;
   for (const std::size_t k : of_part_[part]) {
     const StrongVertex<dim>& strong = vertices_[k];

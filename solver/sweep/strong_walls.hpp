@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <vector>
 
 #include "leonhard/solver/problem.hpp"
@@ -48,7 +49,7 @@ class StrongWalls {
                  std::vector<WallReaction<dim>>& reactions) const;
 
   /// The same in the Jacobian.
-  void constrain_jacobian(std::size_t part, const EdgePlan<dim>& plan, std::vector<double>& blocks) const;
+  void constrain_jacobian(std::size_t part, const EdgePlan<dim>& plan, std::span<double> blocks) const;
 
  private:
   double gamma_;

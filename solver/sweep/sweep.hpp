@@ -22,8 +22,10 @@ struct alignas(dim == 2 ? 32 : 16) StencilSlot {
 /// same as a and b, or the part's rubbish line where the end belongs to another part.
 struct EdgeEnds {
   std::uint32_t a, b, into_a, into_b;
-  std::uint32_t block_aa, block_ab, block_bb, block_ba;  ///< likewise in the block matrix
+  std::uint32_t block_aa, block_ab, block_bb, block_ba;  ///< likewise in the block matrix, or no_block
 };
+
+inline constexpr std::uint32_t no_block = 0xffffffff;  ///< of an end that belongs to another part
 
 /// Four edges' geometry: unit normal from a to b, size of the dual face, half the vector from a to b.
 template <int dim>

@@ -327,13 +327,15 @@ template <int dim>
   constexpr int n = dim + 2;
   using Column = Row<n>;
   Column edge_a[4][n], edge_b[4][n];
+  double rubbish[n * n] = {};
+  const auto block_at = [&](std::uint32_t block) { return block == no_block ? rubbish : blocks + at(block, n * n); };
   columns_by_edge<dim>(by_a, size, edge_a);
   columns_by_edge<dim>(by_b, size, edge_b);
   for (int i = 0; i < 4; ++i) {
-    double* aa = blocks + at(ends[i].block_aa, n * n);
-    double* ab = blocks + at(ends[i].block_ab, n * n);
-    double* bb = blocks + at(ends[i].block_bb, n * n);
-    double* ba = blocks + at(ends[i].block_ba, n * n);
+    double* aa = block_at(ends[i].block_aa);
+    double* ab = block_at(ends[i].block_ab);
+    double* bb = block_at(ends[i].block_bb);
+    double* ba = block_at(ends[i].block_ba);
     for (int j = 0; j < n; ++j) {
       (Column::load(aa + n * j) + edge_a[i][j]).store(aa + n * j);
       edge_b[i][j].store(ab + n * j);

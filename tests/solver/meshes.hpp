@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "leonhard/mesh/mixed_mesh.hpp"
 #include "leonhard/mesh/topology.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -51,6 +52,28 @@ inline TriangleMesh mapped_grid(std::size_t columns, std::size_t rows, bool peri
   }
   return mesh::make_triangle_mesh(std::move(points), std::move(corners), std::move(boundary),
                                   {{south, "south"}, {east, "east"}, {north, "north"}, {west, "west"}});
+}
+
+/// The quadrilaterals of a mapped grid; whole(i, j) says which stay whole, the others are cut in two.
+inline MixedMesh<2> mixed_grid(std::size_t columns, std::size_t rows, const std::function<Point2(double, double)>& place,
+                        const std::function<bool(std::size_t, std::size_t)>& whole) {
+  const TriangleMesh triangles = mapped_grid(columns, rows, false, place);
+  MixedMesh<2> mesh;
+  mesh.points = triangles.points;
+  mesh.vertex_markers = triangles.vertex_markers;
+  for (const MarkedEdge& edge : triangles.boundary) mesh.boundary.push_back({{edge.from, edge.to}, edge.marker});
+  const auto at = [&](std::size_t i, std::size_t j) { return VertexId::from(j * (columns + 1) + i); };
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const VertexId v[4] = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+      if (whole(i, j)) {
+        mesh.add_cell(CellKind::quadrilateral, v);
+      } else {
+        mesh.add_cell(CellKind::triangle, std::array{v[0], v[1], v[2]});
+        mesh.add_cell(CellKind::triangle, std::array{v[0], v[2], v[3]});
+      }
+    }
+  return mesh;
 }
 
 /// The unit square with inner vertices moved at random by up to `shake` of a cell.

@@ -21,28 +21,6 @@ namespace {
 using namespace leonhard;
 using solver::FlowResidual;
 
-/// The quadrilaterals of a mapped grid; whole(i, j) says which stay whole, the others are cut in two.
-MixedMesh<2> mixed_grid(std::size_t columns, std::size_t rows, const std::function<Point2(double, double)>& place,
-                        const std::function<bool(std::size_t, std::size_t)>& whole) {
-  const TriangleMesh triangles = test::mapped_grid(columns, rows, false, place);
-  MixedMesh<2> mesh;
-  mesh.points = triangles.points;
-  mesh.vertex_markers = triangles.vertex_markers;
-  for (const MarkedEdge& edge : triangles.boundary) mesh.boundary.push_back({{edge.from, edge.to}, edge.marker});
-  const auto at = [&](std::size_t i, std::size_t j) { return VertexId::from(j * (columns + 1) + i); };
-  for (std::size_t j = 0; j < rows; ++j)
-    for (std::size_t i = 0; i < columns; ++i) {
-      const VertexId v[4] = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
-      if (whole(i, j)) {
-        mesh.add_cell(CellKind::quadrilateral, v);
-      } else {
-        mesh.add_cell(CellKind::triangle, std::array{v[0], v[1], v[2]});
-        mesh.add_cell(CellKind::triangle, std::array{v[0], v[2], v[3]});
-      }
-    }
-  return mesh;
-}
-
 Point2 shaken(double s, double t) {  // the same for the same corner, whichever cell asks
   const double wave = std::sin(97 * s + 31 * t);
   const bool inside = s > 0 && s < 1 && t > 0 && t < 1;
@@ -53,7 +31,7 @@ TEST_CASE("free_stream_is_kept_to_rounding_on_quadrilaterals_and_mixtures") {
   const auto all = [](std::size_t, std::size_t) { return true; };
   const auto some = [](std::size_t i, std::size_t j) { return (i * 7 + j * 5) % 3 != 0; };
   for (const auto& whole : {std::function<bool(std::size_t, std::size_t)>(all), {some}}) {
-    const MixedMesh<2> mesh = mixed_grid(18, 14, shaken, whole);
+    const MixedMesh<2> mesh = test::mixed_grid(18, 14, shaken, whole);
     FlowProblem<2> problem{.dual = mesh::build_dual(mesh), .free_stream = {0.7, 0.3}, .vortex_correction = false};
     for (const Marker side : {test::south, test::east, test::north, test::west})
       problem.boundary[side] = BoundaryKind::far_field;
@@ -70,7 +48,7 @@ TEST_CASE("boundary_flux_of_quadrilaterals_is_exact_for_linear_fluxes_along_a_wa
   // Still gas with p = 1 + x: the net force on a control volume at the wall y = 0 is its volume times dp/dx along the wall
   // and nothing across it, if the wall carries p at the vertex.
   const auto stretched = [](double s, double t) { return Point2{s * s + s, t}; };
-  const MixedMesh<2> mesh = mixed_grid(12, 4, stretched, [](std::size_t, std::size_t) { return true; });
+  const MixedMesh<2> mesh = test::mixed_grid(12, 4, stretched, [](std::size_t, std::size_t) { return true; });
   FlowProblem<2> problem{.dual = mesh::build_dual(mesh), .free_stream = {0.5, 0}, .vortex_correction = false};
   for (const Marker side : {test::south, test::east, test::north, test::west})
     problem.boundary[side] = BoundaryKind::slip_wall;
@@ -92,7 +70,7 @@ TEST_CASE("wedge_shock_on_quadrilaterals_has_the_exact_pressure_ratio") {
     const double x = 1.2 * s, floor = x > 0.2 ? (x - 0.2) * std::tan(10 * std::numbers::pi / 180) : 0;
     return Point2{x, floor + t * (1 - floor)};
   };
-  const MixedMesh<2> mesh = mixed_grid(48, 40, ramp, [](std::size_t, std::size_t) { return true; });
+  const MixedMesh<2> mesh = test::mixed_grid(48, 40, ramp, [](std::size_t, std::size_t) { return true; });
   const FlowProblem<2> problem{.dual = mesh::build_dual(mesh),
                              .free_stream = {2, 0},
                              .boundary = {{test::south, BoundaryKind::slip_wall},
@@ -108,7 +86,7 @@ TEST_CASE("wedge_shock_on_quadrilaterals_has_the_exact_pressure_ratio") {
 
 TEST_CASE("a_dual_that_is_none_is_refused") {
   test::start_petsc();
-  const MixedMesh<2> mesh = mixed_grid(4, 4, shaken, [](std::size_t, std::size_t) { return true; });
+  const MixedMesh<2> mesh = test::mixed_grid(4, 4, shaken, [](std::size_t, std::size_t) { return true; });
   FlowProblem<2> good{.dual = mesh::build_dual(mesh)};
   for (const Marker side : {test::south, test::east, test::north, test::west})
     good.boundary[side] = BoundaryKind::far_field;

@@ -96,6 +96,8 @@ TEST_CASE("residual_has_the_same_bits_for_any_flux_and_kernel_build") {
     CHECK(std::equal(one.begin(), one.begin() + numbers, other.begin()));
     CHECK_FALSE(std::equal(one.begin(), one.begin() + numbers, roe.begin()));  // the choice arrives
     const std::size_t blocks = 16 * baseline.plan().block_count();
+    one.resize(blocks);
+    other.resize(one.size());
     baseline.jacobian(state, one);
     best.jacobian(state, other);
     CHECK(std::equal(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(blocks), other.begin()));
@@ -110,6 +112,7 @@ TEST_CASE("residual_has_the_same_bits_for_any_thread_count_and_kernel_build") {
   FlowResidual<2> reference(problem, {}, solver::SweepBuilds<2>::baseline);
   REQUIRE(reference.plan().parts.size() > 3);
   reference.evaluate(state, one);
+  jacobian_one.resize(16 * reference.plan().block_count());
   reference.jacobian(state, jacobian_one);
   const std::size_t numbers = 4 * mesh.vertex_count(), blocks = 16 * reference.plan().block_count();
   for (const int threads : {1, 2, 3})
@@ -118,6 +121,7 @@ TEST_CASE("residual_has_the_same_bits_for_any_thread_count_and_kernel_build") {
       options.threads = threads;
       FlowResidual<2> residual(problem, options, *kernels);
       residual.evaluate(state, other);
+      jacobian_other.resize(jacobian_one.size());
       residual.jacobian(state, jacobian_other);
       CHECK(std::equal(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(numbers), other.begin()));
       CHECK(std::equal(jacobian_one.begin(), jacobian_one.begin() + static_cast<std::ptrdiff_t>(blocks),
@@ -341,6 +345,7 @@ TEST_CASE("first_order_jacobian_is_the_residuals_derivative_at_a_uniform_state")
   const State<2> uniform = solver::free_stream_state<2>(problem.gas, problem.free_stream);
   PerId<VertexId, State<2>> state(n, uniform), up(n), down(n);
   std::vector<double> blocks, high, low;
+  blocks.resize(16 * residual.plan().block_count());
   residual.jacobian(state, blocks);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-1, 1);
