@@ -12,7 +12,7 @@
 namespace leonhard::solver {
 namespace {
 
-constexpr double jump_weight = 2;  ///< of the jump to the outside in the gradient; below 1 the gradient inside could outweigh it
+constexpr double jump_weight = 4;  ///< of the jump to the outside in the gradient; below 1 the gradient inside could outweigh it
 
 template <int dim, class T>
 Vector<dim, T> vector_of_axes(const Axes<dim>& a) {

@@ -278,7 +278,7 @@ void viscous_fluxes(const SweepMesh<dim>& mesh, const PartRange& part, const Swe
     const Lanes jump = temperature(settings.gamma, b) - temperature(settings.gamma, a);
     const Vector<dim, Lanes> n = normal_of(m);
     const Vector<dim, Lanes> d = edge_of(m);
-    const Lanes share = (gradient ? viscous_damping : 1.0) / normal_distance(d, n);
+    const Lanes share = 1.0 / normal_distance(d, n);
     correct_along_normal(difference(b.velocity, a.velocity), jump, d, n, share, mean);
     Components<dim, Lanes> f = viscous_flux(constants, mean_state(a, b), mean, n);
     scatter<dim>(f, load(m.size), ends, residual);
