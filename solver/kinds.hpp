@@ -33,7 +33,7 @@ enum class FluxKind {
 };
 
 /// How a reconstructed gradient is limited; the formulas are in sweep/limiter.hpp.
-enum class LimiterKind { none, venkatakrishnan, barth_jespersen };
+enum class LimiterKind { none, venkatakrishnan, barth_jespersen, nishikawa_r3 };
 
 /// How the steady state is reached.
 enum class Marching {
@@ -101,6 +101,8 @@ enum class Marching {
       return "venkatakrishnan";
     case LimiterKind::barth_jespersen:
       return "barth_jespersen";
+    case LimiterKind::nishikawa_r3:
+      return "nishikawa_r3";
   }
   return "";
 }

@@ -39,14 +39,15 @@ double extent_of(const FlowProblem<dim>& problem) {
 }
 
 template <int dim>
-std::vector<double> limiter_scales(const FlowProblem<dim>& problem, double k, const std::vector<double>& volume) {
+std::vector<double> limiter_scales(const FlowProblem<dim>& problem, const SpatialOptions& options,
+                                   const std::vector<double>& volume) {
   const double extent = extent_of(problem);
-  std::vector<double> scale2(volume.size());
+  std::vector<double> scale(volume.size());
   for (std::size_t v = 0; v < volume.size(); ++v) {
-    const double h = k * (dim == 2 ? std::sqrt(volume[v]) : std::cbrt(volume[v])) / extent;
-    scale2[v] = std::max(h * h * h, 1e-30);
+    const double h = options.limiter_k * (dim == 2 ? std::sqrt(volume[v]) : std::cbrt(volume[v])) / extent;
+    scale[v] = std::max(h * h * h * (options.limiter == LimiterKind::nishikawa_r3 ? h : 1), 1e-30);
   }
-  return scale2;
+  return scale;
 }
 
 template <int dim>
@@ -59,13 +60,14 @@ std::vector<double> sources(const FlowProblem<dim>& problem) {
 }
 
 template <int dim>
-SweepSettings settings_of(const FlowProblem<dim>& problem, const SpatialOptions& options, const double* limiter_scale2) {
+SweepSettings settings_of(const FlowProblem<dim>& problem, const SpatialOptions& options, const double* limiter_scale) {
   SweepSettings settings{.gamma = problem.gas.gamma,
                          .entropy_fix = options.entropy_fix,
                          .mach = problem.free_stream.mach,
                          .flux = options.flux,
                          .limiter = options.limiter,
-                         .limiter_scale2 = limiter_scale2};
+                         .limiter_scale2 = limiter_scale,
+                         .limiter_scale3 = limiter_scale};
   if (const auto& viscosity = problem.viscosity) {
     settings.viscosity = viscosity_at(*viscosity, problem.free_stream, problem.reference.length, 1.0);
     settings.sutherland = viscosity->sutherland;
@@ -88,11 +90,11 @@ FlowResidual<dim>::FlowResidual(const FlowProblem<dim>& problem, const SpatialOp
       walls_(problem, plan_),
       reactions_(walls_.vertices().size()),
       follows_lift_(leonhard::solver::follows_lift(problem)),
-      limiter_scale2_(limiter_scales(problem, options.venkatakrishnan_k, plan_.volume)),
+      limiter_scale_(limiter_scales(problem, options, plan_.volume)),
       gradient_(options.order == 2 ? dim * n * plan_.vertex_count : 0),
       unlimited_(options.order == 2 && problem.viscosity ? gradient_.size() : 0),
       source_(sources(problem)),
-      settings_(settings_of(problem, options, limiter_scale2_.data())) {}
+      settings_(settings_of(problem, options, limiter_scale_.data())) {}
 
 template <int dim>
 void FlowResidual<dim>::follow_lift(const States& state) {

@@ -16,8 +16,8 @@ namespace leonhard::solver {
 struct SpatialOptions {
   int order = 2;  ///< 1 or 2
   FluxKind flux = SteadyOptions{}.flux;
-  LimiterKind limiter = LimiterKind::venkatakrishnan;
-  double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
+  LimiterKind limiter = SteadyOptions{}.limiter;
+  double limiter_k = SteadyOptions{}.r3_k;  ///< of the limiter chosen
   double entropy_fix = 0.05;
   int threads = 1;
   std::vector<std::uint32_t> part_of{};  ///< one a vertex, below parts; empty: see EdgePlan
@@ -93,7 +93,7 @@ class FlowResidual {
   StrongWalls<dim> walls_;
   std::vector<WallReaction<dim>> reactions_;
   bool follows_lift_;
-  std::vector<double> limiter_scale2_;
+  std::vector<double> limiter_scale_;  ///< of the limiter chosen, in its power
   std::vector<double> gradient_, unlimited_;
   std::vector<double> source_;  ///< n a vertex, times the control volume; empty where there is none
   SweepSettings settings_;

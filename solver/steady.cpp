@@ -38,6 +38,7 @@ void check_options(const FlowProblem<dim>& problem, const SteadyOptions& o) {
   require(o.order == 1 || o.order == 2, "order", o.order, "give 1 or 2");
   require(std::isfinite(o.venkatakrishnan_k) && o.venkatakrishnan_k >= 0, "venkatakrishnan_k",
           o.venkatakrishnan_k, "give a number from 0");
+  require(std::isfinite(o.r3_k) && o.r3_k >= 0, "r3_k", o.r3_k, "give a number from 0");
   require(o.entropy_fix >= 0 && o.entropy_fix <= 1, "entropy_fix", o.entropy_fix,
           "give a fraction from 0 to 1");
   require(!o.cfl_start || (std::isfinite(*o.cfl_start) && *o.cfl_start > 0), "cfl_start",
@@ -74,6 +75,9 @@ SteadyResult<dim> solve_steady(const FlowProblem<dim>& problem, const SteadyOpti
   result.history = book.take_history();
   result.words = describe(result.verdict, result.history, march.bad_vertex, problem.dual);
   if (result.verdict == Verdict::diverged) result.bad_vertex = march.bad_vertex;
+  if (result.verdict != Verdict::diverged && result.verdict != Verdict::converged)
+    result.worst = worst_vertices(problem, march.state, march.residual, 10);
+  result.words += describe(result.worst, problem.dual);
   result.state = std::move(march.state);
   result.stresses = march.stresses;
   result.forces_by_marker = wall_forces(problem, result.state, result.stresses);

@@ -13,11 +13,12 @@ namespace leonhard {
 struct SteadyOptions {
   Marching marching = Marching::implicit_ptc;
   FluxKind flux = FluxKind::roe_low_mach;  ///< between control volumes; the far field keeps Roe's
-  LimiterKind limiter = LimiterKind::venkatakrishnan;
+  LimiterKind limiter = LimiterKind::nishikawa_r3;
   /// >= 0; larger limits less. A variation passes unlimited below (k h / extent)^1.5 of the local density, speed of sound
   /// or pressure times gamma; h is the control volume's root, in space its third root, the extent that of the walls, or of the mesh where there
   /// are none.
   double venkatakrishnan_k = 3.0;
+  double r3_k = 5.0;                ///< likewise for nishikawa_r3, whose threshold is (k h / extent)^(4/3)
   int order = 2;                    ///< 1: states constant in a cell; 2: linear reconstruction
   double entropy_fix = 0.05;        ///< Harten's delta as a fraction of |Vn| + c, in [0, 1]
   std::optional<double> cfl_start{};  ///< none: chosen by the marching kind

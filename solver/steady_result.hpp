@@ -60,6 +60,16 @@ struct BadVertex {
   std::optional<Marker> nearest_marker;  ///< of the boundary facet nearest to it
 };
 
+/// A vertex that carries much of what is left of the residual.
+template <int dim>
+struct ResidualShare {
+  VertexId vertex;
+  typename Simplex<dim>::Point at;
+  State<dim> state;
+  double share{};                        ///< of the sum of squares
+  std::optional<Marker> nearest_marker;  ///< of the boundary facet nearest to it
+};
+
 template <int dim>
 struct SteadyResult {
   Verdict verdict{};
@@ -71,6 +81,8 @@ struct SteadyResult {
   std::vector<solver::WallStress<dim>> stresses;  ///< one a vertex on a no-slip wall
   std::vector<Iteration> history;       ///< one entry an iteration, the start included
   std::optional<BadVertex<dim>> bad_vertex;  ///< only when diverged
+  /// The up to ten vertices that carry most of the residual, the first one most; empty where it converged or diverged.
+  std::vector<ResidualShare<dim>> worst;
   int rejected_steps{};                 ///< steps rolled back and repeated with a smaller time step
   std::string sweep;                    ///< which build of the inner loops ran: "avx2" or "baseline"
 };

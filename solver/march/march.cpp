@@ -10,7 +10,8 @@ namespace leonhard::solver {
 namespace {
 
 SpatialOptions spatial_options(const SteadyOptions& o) {
-  return {o.order, o.flux, o.limiter, o.venkatakrishnan_k, o.entropy_fix, o.threads, o.part_of, o.parts};
+  const double k = o.limiter == LimiterKind::nishikawa_r3 ? o.r3_k : o.venkatakrishnan_k;
+  return {o.order, o.flux, o.limiter, k, o.entropy_fix, o.threads, o.part_of, o.parts};
 }
 
 /// What rounding leaves of a residual norm: some units in the last place of the fluxes about each vertex, which in

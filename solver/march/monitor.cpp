@@ -113,6 +113,44 @@ std::optional<BadVertex<dim>> find_bad_vertex(const FlowProblem<dim>& problem, c
 }
 
 template <int dim>
+std::vector<ResidualShare<dim>> worst_vertices(const FlowProblem<dim>& problem, const PerId<VertexId, State<dim>>& state,
+                                               const std::vector<double>& residual, std::size_t count) {
+  constexpr std::size_t n = dim + 2;
+  PerId<VertexId, double> square(state.size(), 0.0);
+  double sum = 0;
+  std::vector<VertexId> order;
+  for (const VertexId v : state.ids()) {
+    order.push_back(v);
+    for (std::size_t i = 0; i < n; ++i) square[v] += residual[n * v.index() + i] * residual[n * v.index() + i];
+    sum += square[v];
+  }
+  count = std::min(count, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](VertexId a, VertexId b) { return square[a] != square[b] ? square[a] > square[b] : a < b; });
+  std::vector<ResidualShare<dim>> worst;
+  for (std::size_t k = 0; k < count && sum > 0; ++k) {
+    const VertexId v = order[k];
+    const auto& at = problem.dual.points[v];
+    worst.push_back({v, at, state[v], square[v] / sum, nearest_marker(problem.dual, at)});
+  }
+  return worst;
+}
+
+template <int dim>
+std::string describe(const std::vector<ResidualShare<dim>>& worst, const MeshDual<dim>& dual) {
+  if (worst.empty()) return "";
+  double sum = 0;
+  for (const ResidualShare<dim>& part : worst) sum += part.share;
+  std::ostringstream out;
+  out.precision(2);
+  out << "; " << 100 * sum << " % of its square at " << worst.size() << " vertices, first vertex " << worst.front().vertex.raw;
+  out.precision(4);
+  out << " " << worst.front().at;
+  if (worst.front().nearest_marker) out << ", nearest boundary " << name_of(dual, *worst.front().nearest_marker);
+  return out.str();
+}
+
+template <int dim>
 std::string describe(Verdict verdict, const std::vector<Iteration>& history,
                      const std::optional<BadVertex<dim>>& bad, const MeshDual<dim>& dual) {
   std::ostringstream out;
@@ -145,6 +183,9 @@ std::string describe(Verdict verdict, const std::vector<Iteration>& history,
 #define LEONHARD_MONITOR(dim)                                                                                              \
   template std::optional<BadVertex<dim>> find_bad_vertex(const FlowProblem<dim>&, const PerId<VertexId, State<dim>>&,     \
                                                          const std::vector<double>&);                                     \
+  template std::vector<ResidualShare<dim>> worst_vertices(const FlowProblem<dim>&, const PerId<VertexId, State<dim>>&,    \
+                                                          const std::vector<double>&, std::size_t);                       \
+  template std::string describe(const std::vector<ResidualShare<dim>>&, const MeshDual<dim>&);                           \
   template std::string describe(Verdict, const std::vector<Iteration>&, const std::optional<BadVertex<dim>>&,             \
                                 const MeshDual<dim>&);
 LEONHARD_MONITOR(2)

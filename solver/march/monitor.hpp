@@ -56,6 +56,17 @@ template <int dim>
                                                             const PerId<VertexId, State<dim>>& state,
                                                             const std::vector<double>& residual);
 
+/// The up to `count` vertices with the largest residual, the largest first.
+/// residual  dim + 2 a vertex, finite
+template <int dim>
+[[nodiscard]] std::vector<ResidualShare<dim>> worst_vertices(const FlowProblem<dim>& problem,
+                                                             const PerId<VertexId, State<dim>>& state,
+                                                             const std::vector<double>& residual, std::size_t count);
+
+/// Where they lie, to be added to the verdict's sentence; "" of none.
+template <int dim>
+[[nodiscard]] std::string describe(const std::vector<ResidualShare<dim>>& worst, const MeshDual<dim>& dual);
+
 /// The verdict in a sentence with its figures.
 template <int dim>
 [[nodiscard]] std::string describe(Verdict verdict, const std::vector<Iteration>& history,

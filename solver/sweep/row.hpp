@@ -62,6 +62,13 @@ LEONHARD_INLINE Row<n> operator*(double s, const Row<n>& a) {
   return r;
 }
 template <int n>
+LEONHARD_INLINE Row<n> root(const Row<n>& a) {
+  Row<n> r;
+  r.head = solver::root(a.head);
+  for (int i = 0; i < Row<n>::rest; ++i) r.tail[i] = solver::root(a.tail[i]);
+  return r;
+}
+template <int n>
 LEONHARD_INLINE Row<n> larger(const Row<n>& a, const Row<n>& b) {
   Row<n> r;
   r.head = solver::larger<Lanes>(a.head, b.head);

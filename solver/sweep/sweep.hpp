@@ -59,6 +59,7 @@ struct SweepSettings {
   FluxKind flux = FluxKind::roe;
   LimiterKind limiter = LimiterKind::none;
   const double* limiter_scale2 = nullptr;  ///< epsilon^2 of Venkatakrishnan's limiter, one a vertex
+  const double* limiter_scale3 = nullptr;  ///< epsilon^3 of Nishikawa's R3, likewise
   double viscosity = 0;                    ///< at the free stream's temperature; 0: inviscid
   double sutherland = -1;                  ///< see Viscosity
   double inverse_prandtl = 1;

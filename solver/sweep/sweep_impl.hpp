@@ -83,6 +83,13 @@ template <int n>
   return r;
 }
 template <int n>
+[[gnu::always_inline]] inline Row<n> nishikawa_r3(const Row<n>& room, const Row<n>& step, const Row<n>& scale3) {
+  Row<n> r;
+  r.head = limit_nishikawa_r3<Lanes>(room.head, step.head, scale3.head);
+  for (int i = 0; i < Row<n>::rest; ++i) r.tail[i] = limit_nishikawa_r3<double>(room.tail[i], step.tail[i], scale3.tail[i]);
+  return r;
+}
+template <int n>
 [[gnu::always_inline]] inline Row<n> barth_jespersen(const Row<n>& room, const Row<n>& step) {
   Row<n> r;
   r.head = limit_barth_jespersen<Lanes>(room.head, step.head);
@@ -104,6 +111,10 @@ void limited_gradients(const SweepMesh<dim>& mesh, const PartRange& part, const 
       share = smaller(venkatakrishnan(s.room_up, s.step_up, scale2), venkatakrishnan(s.room_down, s.step_down, scale2));
     } else if (settings.limiter == LimiterKind::barth_jespersen) {
       share = smaller(barth_jespersen(s.room_up, s.step_up), barth_jespersen(s.room_down, s.step_down));
+    } else if (settings.limiter == LimiterKind::nishikawa_r3) {
+      const Variables size = root(squared_size(own, settings.gamma));
+      const Variables scale3 = settings.limiter_scale3[v] * (size * size * size);
+      share = smaller(nishikawa_r3(s.room_up, s.step_up, scale3), nishikawa_r3(s.room_down, s.step_down, scale3));
     }
     share = share * keep_positive(share * s.step_down, own);
     for (int j = 0; j < dim; ++j) {

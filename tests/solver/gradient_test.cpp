@@ -16,7 +16,7 @@ using solver::EdgePlan;
 std::vector<double> gradients(const EdgePlan<2>& plan, const PerId<VertexId, State<2>>& state,
                               LimiterKind limiter) {
   std::vector<double> gradient(8 * plan.vertex_count), scale2(plan.vertex_count, 1e-12);
-  const solver::SweepSettings settings{.limiter = limiter, .limiter_scale2 = scale2.data()};
+  const solver::SweepSettings settings{.limiter = limiter, .limiter_scale2 = scale2.data(), .limiter_scale3 = scale2.data()};
   for (const solver::PartRange& part : plan.parts)
     solver::best_sweep<2>().limited_gradients(plan.view(), part, settings, &state.flat().front().rho,
                                            gradient.data(), nullptr);
@@ -76,7 +76,8 @@ TEST_CASE("near_vacuum_density_and_pressure_stay_positive_at_edge_midpoints_what
   PerId<VertexId, State<2>> state;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
     state.push_back({std::pow(10, decades(random)), decades(random), decades(random), std::pow(10, decades(random))});
-  for (const auto limiter : {LimiterKind::none, LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen}) {
+  for (const auto limiter :
+       {LimiterKind::none, LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen, LimiterKind::nishikawa_r3}) {
     const auto g = gradients(plan, state, limiter);
     for (std::size_t v = 0; v < plan.vertex_count; ++v)
       for (const std::size_t i : {0, 3})
@@ -92,7 +93,7 @@ TEST_CASE("limiters_leave_linear_functions_alone_inside") {
   const EdgePlan<2> plan = solver::make_edge_plan<2>(mesh::build_dual(mesh));
   PerId<VertexId, State<2>> state;
   for (const Point2 p : mesh.points) state.push_back({1 + p.x, p.y, p.x + p.y, 2 - p.x});
-  for (const auto limiter : {LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen}) {
+  for (const auto limiter : {LimiterKind::venkatakrishnan, LimiterKind::barth_jespersen, LimiterKind::nishikawa_r3}) {
     const auto g = gradients(plan, state, limiter);
     for (const VertexId v : mesh.points.ids()) {
       const Point2 p = mesh.points[v];
@@ -105,15 +106,18 @@ TEST_CASE("limiters_leave_linear_functions_alone_inside") {
 TEST_CASE("limiter_formulas_do_not_increase_with_the_step") {
   for (const double room : {0.0, 0.3, 1.0, -0.7})
     for (const double scale2 : {1e-12, 1e-2}) {
-      double venkatakrishnan = 1, barth_jespersen = 1;
+      double venkatakrishnan = 1, barth_jespersen = 1, r3 = 1;
       for (int k = 0; k <= 200; ++k) {
         const double step = (room < 0 ? -0.02 : 0.02) * k;
         const double a = solver::limit_venkatakrishnan<double>(room, step, scale2);
         const double b = solver::limit_barth_jespersen<double>(room, step);
         CHECK(a <= venkatakrishnan + 1e-15);
         CHECK(b <= barth_jespersen + 1e-15);
+        const double c = solver::limit_nishikawa_r3<double>(room, step, scale2);
+        CHECK(c <= r3 + 1e-15);
+        if (std::abs(step) <= 0.5 * std::abs(room)) CHECK(c == 1);  // half the room may be taken whole
         CHECK(std::abs(b * step) <= std::abs(room) + 1e-15);
-        venkatakrishnan = a, barth_jespersen = b;
+        venkatakrishnan = a, barth_jespersen = b, r3 = c;
       }
       CHECK(barth_jespersen < 1);
     }

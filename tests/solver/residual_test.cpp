@@ -305,7 +305,8 @@ TEST_CASE("vectorised_residual_equals_a_plain_one_written_independently") {
   const auto state = rough_states(mesh, 21);
   SpatialOptions options;
   options.flux = FluxKind::roe;
-  options.venkatakrishnan_k = 2;
+  options.limiter = LimiterKind::venkatakrishnan;
+  options.limiter_k = 2;
   std::vector<double> out;
   FlowResidual<2>(problem, options).evaluate(state, out);
   const auto plain = plain_residual(mesh, problem, state, 2, options.entropy_fix);

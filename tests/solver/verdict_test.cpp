@@ -7,6 +7,7 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/solver/march/monitor.hpp"
+#include "leonhard/solver/residual.hpp"
 #include "leonhard/solver/steady.hpp"
 #include "tests/solver/meshes.hpp"
 #include "tests/solver/session.hpp"
@@ -130,6 +131,38 @@ TEST_CASE("iteration_limit_is_a_verdict") {
   const SteadyResult<2> result = solver::solve_steady(airfoil_problem(mesh), options);
   CHECK(result.verdict == Verdict::iteration_limit);
   CHECK(result.history.size() == 4);
+}
+
+TEST_CASE("what_is_left_of_the_residual_is_told_by_its_worst_vertices") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::shaken_square(12, 0.1, 1);
+  FlowProblem<2> problem = square_problem(mesh);
+  problem.initial = PerId<VertexId, State<2>>(mesh.vertex_count(), solver::free_stream_state<2>({}, problem.free_stream));
+  const VertexId disturbed = VertexId::from(60);
+  problem.initial[disturbed].p *= 1.2;
+  SteadyOptions options;
+  options.marching = Marching::explicit_multistage;
+  options.cfl_start = 1e-3;
+  options.max_iterations = 1;
+  const SteadyResult<2> result = solver::solve_steady(problem, options);
+  CHECK(result.verdict == Verdict::iteration_limit);
+  REQUIRE(result.worst.size() == 10);
+  std::vector<double> residual;
+  solver::FlowResidual<2>(problem, {}).evaluate(result.state, residual);
+  const auto square = [&](std::size_t v) {
+    double sum = 0;
+    for (std::size_t i = 4 * v; i < 4 * v + 4; ++i) sum += residual[i] * residual[i];
+    return sum;
+  };
+  double sum = 0, largest = 0;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) sum += square(v), largest = std::max(largest, square(v));
+  CHECK(square(result.worst[0].vertex.index()) == largest);
+  for (std::size_t k = 0; k < 10; ++k) {
+    CHECK(result.worst[k].share == doctest::Approx(square(result.worst[k].vertex.index()) / sum));
+    if (k > 0) CHECK(result.worst[k].share <= result.worst[k - 1].share);
+    CHECK(distance(result.worst[k].at, mesh.points[disturbed]) < 0.3);
+  }
+  CHECK(says(result.words, "first vertex " + std::to_string(result.worst[0].vertex.raw)));
 }
 
 TEST_CASE("a_solution_at_the_start_is_converged_at_once") {
