@@ -101,7 +101,7 @@ core_seconds_of() {
   case $1 in
     release) echo 600 ;;
     dev) echo 1100 ;;
-    asan) echo 2600 ;;
+    asan) echo 2000 ;;
   esac
 }
 

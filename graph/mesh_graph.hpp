@@ -47,10 +47,13 @@ class CsrGraph {
 [[nodiscard]] inline std::size_t edge_count(const CsrGraph& graph) { return graph.rows().link_count() / 2; }
 
 /// The neighbours of a vertex, ascending. Valid as long as the graph is.
+///
+/// vertex  below vertex_count(graph): a precondition, asserted only, for loops over a whole graph ask nothing else
 [[nodiscard]] inline std::span<const std::uint32_t> neighbours(const CsrGraph& graph, std::uint32_t vertex) {
   return graph.rows()[vertex];
 }
 
+/// How many these are, with the same precondition.
 [[nodiscard]] inline std::uint32_t degree(const CsrGraph& graph, std::uint32_t vertex) {
   return static_cast<std::uint32_t>(neighbours(graph, vertex).size());
 }

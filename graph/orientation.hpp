@@ -20,6 +20,7 @@ struct Orientation {
   CompressedRows<std::uint32_t> heads;  ///< row v: the heads of the edges that leave v, ascending
 
   [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(heads.size()); }
+  /// Row v. v is below vertex_count(): a precondition, asserted only, here and of out_degree.
   [[nodiscard]] std::span<const std::uint32_t> heads_of(std::uint32_t v) const { return heads[v]; }
   [[nodiscard]] std::uint32_t out_degree(std::uint32_t v) const {
     return static_cast<std::uint32_t>(heads[v].size());

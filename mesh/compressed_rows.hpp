@@ -33,7 +33,7 @@ class CompressedRows {
   [[nodiscard]] bool empty() const { return size() == 0; }
   [[nodiscard]] std::size_t link_count() const { return links_.size(); }
 
-  /// A row, valid until rows are added.
+  /// A row, valid until rows are added. row is below size(): a precondition, asserted only.
   [[nodiscard]] std::span<const Link> operator[](std::size_t row) const {
     assert(row < size());
     return {links_.data() + offsets_[row], links_.data() + offsets_[row + 1]};

@@ -31,6 +31,9 @@ using FaceId = Id<struct FaceTag>;
 /// an edge and left(e) a face id; none where nobody set one. Each edge of a ring holds its own copy of the
 /// ring's id. 32 bytes an edge.
 ///
+/// Every edge given to a member must be of this structure, as contains() says, and not removed: a precondition, which is
+/// not checked (a step takes a few instructions, a check would double them). validate() checks the whole.
+///
 /// Source: Guibas and Stolfi, "Primitives for the manipulation of general subdivisions and the computation of
 /// Voronoi diagrams", ACM Transactions on Graphics 4 (1985). Surfaces are oriented here, so their Flip is
 /// left out.

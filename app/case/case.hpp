@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "leonhard/app/case/keys.hpp"
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/solver/steady_options.hpp"
@@ -86,13 +87,6 @@ struct OutputCase {
   std::optional<std::array<double, 4>> close_up;  ///< xmin, ymin, xmax, ymax of the close-up pictures
 };
 
-/// One key of the case file with the value in force, as `describe` prints it.
-struct KeyInForce {
-  std::string key;    ///< "solver.order"; bodies and boundaries carry their name: "body.main.file"
-  std::string value;  ///< as TOML
-  bool by_default = false;
-};
-
 /// A case: plain data, read and checked by read_case. Either mesh_file, or domain_file, or bodies is set.
 struct Case {
   std::filesystem::path file;  ///< as given
@@ -128,13 +122,6 @@ struct Case {
 
 /// Every key with the value in force, one a line, defaults marked as such.
 [[nodiscard]] std::string describe(const Case&);
-
-/// One key a case file may have: what docs/case-file.md must tell about.
-struct KnownKey {
-  std::string key;       ///< "solver.order", "body.file", "boundary.NAME.kind"
-  std::string type;      ///< "number", "integer", "text", "true or false", "2 numbers", "one of: ..."
-  std::string fallback;  ///< default as TOML, "required" or "none"
-};
 
 /// All keys, in the order in which they are read.
 [[nodiscard]] std::vector<KnownKey> known_keys();

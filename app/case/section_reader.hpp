@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "leonhard/app/case/case.hpp"
+#include "leonhard/app/case/keys.hpp"
 
 namespace leonhard::app {
 

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "leonhard/app/graphs/graph_picture.hpp"
@@ -85,10 +88,25 @@ class ExchangesDiagram {
     const draw::Stroke stroke = stroke_of_cycle(cycle, few_parts() ? 2.6 : 1.2);
     diagram.add_segment(a, b, stroke);
     if (few_exchanges())
-      diagram.words.push_back({a + 0.38 * (b - a),
-                               fmt::format("{} / {}", exchange.forwards, exchange.backwards),
-                               {0, 0.7},
-                               stroke.colour});
+      diagram.words.push_back({.at = emptiest_place(diagram.words, a, b),
+                               .words = fmt::format("{} / {}", exchange.forwards, exchange.backwards),
+                               .colour = stroke.colour,
+                               .on_white = true});
+  }
+
+  /// The place on a line, not near its ends, that is farthest from the words so far. These are wider than high, so that a
+  /// distance across counts less.
+  [[nodiscard]] static Point2 emptiest_place(std::span<const draw::Diagram::Words> words, Point2 a, Point2 b) {
+    Point2 best = a + 0.5 * (b - a);
+    double farthest = -1;
+    for (const double share : {0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74}) {
+      const Point2 place = a + share * (b - a);
+      double nearest = std::numeric_limits<double>::max();
+      for (const auto& other : words)
+        nearest = std::min(nearest, std::hypot(0.3 * (place.x - other.at.x), place.y - other.at.y));
+      if (nearest > farthest) farthest = nearest, best = place;
+    }
+    return best;
   }
 
   /// One line a cycle to the right of the graph: a piece of its line, its number and its longest message.
@@ -108,8 +126,10 @@ class ExchangesDiagram {
       for (const graph::Exchange& exchange : cycles[c])
         longest = std::max({longest, exchange.forwards, exchange.backwards});
       diagram.add_segment({x, y}, {x + 0.08 * side, y}, stroke_of_cycle(c, 2.6));
-      diagram.words.push_back(
-          {{x + 0.31 * side, y}, fmt::format("cycle {}, up to {}", c + 1, longest), {}, dark});
+      diagram.words.push_back({.at = {x + 0.1 * side, y},
+                               .words = fmt::format("cycle {}, up to {}", c + 1, longest),
+                               .colour = dark,
+                               .across = 0});
     }
     if (!cycles.empty())
       diagram.region = draw::Box{low + -0.08 * side * Vec2{1, 1}, high + side * Vec2{0.66, 0.08}};

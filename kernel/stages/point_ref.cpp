@@ -12,7 +12,7 @@
 #include <string>
 
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/kernel/stages/staged_predicate.hpp"
+#include "leonhard/kernel/stages/exact_evaluation.hpp"
 
 namespace leonhard::kernel {
 namespace {

@@ -148,8 +148,14 @@ class DiagramPicture {
   void write(const Diagram::Words& words) {
     const Point2 p = frame_.page(words.at);
     const double em = canvas_.text_size();
-    canvas_.text({p.x + words.shift.x * em, p.y - words.shift.y * em}, words.words,
-                 {.across = 0.5, .colour = words.colour});
+    const Point2 anchor{p.x + words.shift.x * em, p.y - words.shift.y * em};
+    const TextStyle style{.across = words.across, .colour = words.colour};
+    if (words.on_white) {
+      const double width = canvas_.text_width(words.words, style);
+      canvas_.rectangle(Rect{anchor.x - words.across * width, anchor.y - 0.5 * em, width, em}.grown(0.12 * em));
+      canvas_.fill(white);
+    }
+    canvas_.text(anchor, words.words, style);
   }
 
   /// The title in the middle above the frame, smaller where it would not fit.

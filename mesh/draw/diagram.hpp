@@ -50,6 +50,8 @@ struct Diagram {
     std::string words{};
     Vec2 shift{};  ///< in text heights, to the right and up: away from what it names
     Colour colour{0.1, 0.1, 0.1};
+    double across = 0.5;    ///< where `at` is: 0 left end, 0.5 middle, 1 right end
+    bool on_white = false;  ///< lines below do not show through
   };
 
   std::string title{};

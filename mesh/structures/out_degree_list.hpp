@@ -20,7 +20,8 @@ struct OutDegreeList {
 
   [[nodiscard]] std::size_t vertex_count() const { return first.empty() ? 0 : first.size() - 1; }
   [[nodiscard]] std::size_t edge_count() const { return heads.size(); }
-  /// The vertices that edges listed at v lead to.
+  /// The vertices that edges listed at v lead to. v is below vertex_count(): a precondition, not checked, here and of the
+  /// two that follow.
   [[nodiscard]] std::span<const VertexId> heads_of(VertexId v) const {
     return std::span(heads).subspan(first[v.index()], out_degree(v));
   }

@@ -53,7 +53,7 @@ std::vector<Point2> queries(const DynamicTriangulation& sites, std::uint64_t see
 }
 
 bool between(Point2 a, Point2 p, Point2 b) {
-  return kernel::exact::orient2d(a, b, p) == Sign::zero && (a < p) == (p < b) && a != p && p != b;
+  return (a < p) == (p < b) && a != p && p != b && kernel::exact::orient2d(a, b, p) == Sign::zero;
 }
 
 /// The only right answer, from a look at every vertex, edge and triangle in rational arithmetic.

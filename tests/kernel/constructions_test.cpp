@@ -89,8 +89,9 @@ bool is_right(Construct construct, const Vector& centre, const Vector& on_it) {
 
 TEST_CASE("circumcircles_keep_their_bounds") {
   Random random(91);
+  const int calls = scaled_calls(1'000);
   for (const PointFamily& family : point_families())
-    for (int i = 0; i < 1'000; ++i) {
+    for (int i = 0; i < calls; ++i) {
       const Quadruple p = family.draw(random);
       CAPTURE(family.name);
       CAPTURE(as_source(p));
@@ -106,8 +107,9 @@ TEST_CASE("circumcircles_keep_their_bounds") {
 
 TEST_CASE("circumspheres_and_circles_in_space_keep_their_bounds") {
   Random random(92);
+  const int calls = scaled_calls(500);
   for (const PointFamily3& family : point_families3())
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < calls; ++i) {
       const Quintuple p = family.draw(random);
       CAPTURE(family.name);
       CAPTURE(as_source(p));

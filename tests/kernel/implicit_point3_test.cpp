@@ -35,6 +35,7 @@ using TestPoints = std::array<TestPoint3, 5>;
 template <class Check>
 void for_all_families(int calls_a_family, Check check) {
   Random random(20241102);
+  calls_a_family = scaled_calls(calls_a_family);
   for (const PointFamily3& family : point_families3()) {
     CAPTURE(family.name);
     for (int i = 0; i < calls_a_family; ++i) {

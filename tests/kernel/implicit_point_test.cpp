@@ -34,6 +34,7 @@ using TestPoints = std::array<TestPoint2, 4>;
 template <class Check>
 void for_all_families(int calls_a_family, Check check) {
   Random random(20241101);
+  calls_a_family = scaled_calls(calls_a_family);
   for (const PointFamily& family : point_families()) {
     CAPTURE(family.name);
     for (int i = 0; i < calls_a_family; ++i) {

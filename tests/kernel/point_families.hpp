@@ -34,7 +34,7 @@ inline int integer(Random& random, int low, int high) {
 }
 
 /// How many random calls a test makes: `calls`, or a share of them where the environment has LEONHARD_TEST_DIVISOR, as
-/// on an emulated processor (tests/roundings).
+/// on an emulated processor (tests/roundings) and under the sanitizers (CMakePresets.json).
 inline int scaled_calls(int calls) {
   const char* divisor = std::getenv("LEONHARD_TEST_DIVISOR");
   return divisor == nullptr ? calls : std::max(1, calls / std::max(1, std::atoi(divisor)));

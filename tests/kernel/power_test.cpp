@@ -177,7 +177,8 @@ TEST_CASE("power_test_is_not_fooled_by_minors_that_underflow_beside_huge_weights
   // The minors are a few smallest numbers, and wrong by as much; the weights bring the error up to 2^-60 or
   // so.
   Random random(104);
-  for (int i = 0; i < 20'000; ++i) {
+  const int calls = scaled_calls(20'000);
+  for (int i = 0; i < calls; ++i) {
     const auto points = each_coordinate([&random] { return any_exponent(random, -539, -535); });
     WeightedQuadruple q;
     for (std::size_t j = 0; j < 4; ++j) q[j] = {points[j], any_exponent(random, 1000, 1023)};
@@ -208,9 +209,10 @@ TEST_CASE("power_test_keeps_the_last_bits_of_weights_whose_products_underflow") 
 
 TEST_CASE("power_test_of_equal_weights_is_incircle_or_insphere") {
   Random random(105);
-  const auto check = [&random](const auto& families) {
+  const int calls = scaled_calls(500);
+  const auto check = [&random, calls](const auto& families) {
     for (const auto& family : families)
-      for (int i = 0; i < 500; ++i) {
+      for (int i = 0; i < calls; ++i) {
         const auto points = family.draw(random);
         CAPTURE(as_source(points));
         for (const double weight : {0.0, 1.0, -largest, any_exponent(random, -1074, 1024)}) {

@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "leonhard/kernel/arithmetic/homogeneous.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "tests/mesh/shelf.hpp"
@@ -68,10 +69,25 @@ auto barycentric(const Mesh& mesh, CellId c, const Point& p) {
   return weights;
 }
 
+/// Is p beyond a cell's corners in some direction? Comparing needs no rational numbers.
+template <class Mesh, class CellId, class Point>
+bool is_beyond(const Mesh& mesh, CellId c, const Point& p) {
+  const auto& corners = mesh.corners[c];
+  for (std::size_t axis = 0; axis < kernel::dimension<Point>; ++axis) {
+    const double x = kernel::coordinate(p, axis);
+    const auto of_corner = [&](VertexId v) { return kernel::coordinate(mesh.points[v], axis); };
+    if (std::all_of(corners.begin(), corners.end(), [&](VertexId v) { return of_corner(v) < x; }) ||
+        std::all_of(corners.begin(), corners.end(), [&](VertexId v) { return of_corner(v) > x; }))
+      return true;
+  }
+  return false;
+}
+
 template <class Mesh, class Point>
 typename MeshLocator<Mesh>::Location locate_by_search(const Mesh& mesh, const Point& p) {
   typename MeshLocator<Mesh>::Location location;
   for (const auto c : mesh.corners.ids()) {
+    if (is_beyond(mesh, c, p)) continue;
     const auto weights = barycentric(mesh, c, p);
     if (std::any_of(weights.begin(), weights.end(), [](const mpq_class& w) { return w < 0; })) continue;
     location.cell = c;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <set>
 #include <utility>
 
 #include "leonhard/mesh/io/atomic_file.hpp"
-#include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/su2.hpp"
 #include "leonhard/mesh/io/formats/su2_parser.hpp"
-#include "leonhard/mesh/io/formats/triangle_tables.hpp"
+#include "leonhard/mesh/io/formats/su2_writer.hpp"
 #include "leonhard/mesh/io/formats/vtk_types.hpp"
 #include "leonhard/mesh/io/soup/mixed_soup.hpp"
 
@@ -93,53 +91,21 @@ class MixedParser final : Su2Parser {
   MixedSoup<Dim> soup_;
 };
 
-template <class Corners>
-void append_mixed_element(std::string& text, std::int64_t type, const Corners& vertices) {
-  append_words(text, {type});
-  for (const VertexId v : vertices) append_words(text, {static_cast<std::int64_t>(v.index())});
-}
-
 std::int64_t vtk_type_of_facet(const MixedFacet<2>&) { return vtk_line; }
 std::int64_t vtk_type_of_facet(const MixedFacet<3>& face) {
   return face.size() == 3 ? vtk_triangle : vtk_quadrilateral;
 }
 
 template <int Dim>
-void append_mixed_markers(std::string& text, const MixedMesh<Dim>& mesh,
-                          const std::map<Marker, std::string>& tags) {
-  std::map<Marker, std::vector<std::size_t>> elements_of;  // indices in mesh.boundary
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) elements_of[mesh.boundary[i].marker].push_back(i);
-  text += "NMARK= " + std::to_string(elements_of.size()) + "\n";
-  for (const auto& [marker, elements] : elements_of) {
-    text += "MARKER_TAG= " + tags.at(marker) + "\nMARKER_ELEMS= " + std::to_string(elements.size()) + "\n";
-    for (const std::size_t i : elements) {
-      append_mixed_element(text, vtk_type_of_facet(mesh.boundary[i].corners), mesh.boundary[i].corners);
-      end_line(text);
-    }
-  }
-}
-
-template <int Dim>
 std::string format_mixed(const MixedMesh<Dim>& mesh) {
-  std::set<Marker> used;
-  for (const auto& facet : mesh.boundary) used.insert(facet.marker);
-  const std::map<Marker, std::string> tags = su2_tags(mesh.marker_names, used);
-  std::string text = format_marker_notes(tags, '%');
-  text.reserve(text.size() + 64 * mesh.vertex_count() + 10 * mesh.corners.link_count());
-  text += "NDIME= " + std::to_string(Dim) + "\nNELEM= " + std::to_string(mesh.cell_count()) + "\n";
-  for (const CellId cell : mesh.kinds.ids()) {
-    append_mixed_element(text, vtk_type_of(mesh.kinds[cell]), mesh.corners_of(cell));
-    append_words(text, {static_cast<std::int64_t>(cell.index())});
-    end_line(text);
-  }
-  text += "NPOIN= " + std::to_string(mesh.vertex_count()) + "\n";
-  for (const VertexId v : mesh.points.ids()) {
-    append_point(text, mesh.points[v]);
-    append_words(text, {static_cast<std::int64_t>(v.index())});
-    end_line(text);
-  }
-  append_mixed_markers(text, mesh, tags);
-  return text;
+  return su2_text<Dim>(
+      mesh, mesh.kinds.ids(),
+      [&](std::string& text, CellId cell) {
+        append_su2_element(text, vtk_type_of(mesh.kinds[cell]), mesh.corners_of(cell));
+      },
+      [](std::string& text, const auto& facet) {
+        append_su2_element(text, vtk_type_of_facet(facet.corners), facet.corners);
+      });
 }
 
 }  // namespace

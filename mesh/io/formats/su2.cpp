@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/io/formats/su2.hpp"
 
-#include <set>
 #include <utility>
 
 #include "leonhard/mesh/io/atomic_file.hpp"
-#include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/su2_parser.hpp"
-#include "leonhard/mesh/io/formats/triangle_tables.hpp"
+#include "leonhard/mesh/io/formats/su2_writer.hpp"
 #include "leonhard/mesh/io/formats/vtk_types.hpp"
 #include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
@@ -119,47 +117,16 @@ class TetParser final : public MeshParser<3> {
 
 // ---- writing ----
 
-template <std::size_t count>
-void append_element(std::string& text, std::int64_t type, const std::array<VertexId, count>& vertices) {
-  append_words(text, {type});
-  for (const VertexId v : vertices) append_words(text, {static_cast<std::int64_t>(v.index())});
-}
-
 template <int Dim>
 std::string format(const SimplexMesh<Dim>& mesh) {
-  constexpr std::int64_t cell_type = Dim == 2 ? triangle_type : tetrahedron_type,
-                         facet_type = Dim == 2 ? line_type : triangle_type;
-  std::map<Marker, std::vector<std::size_t>> elements_of;  // indices in mesh.boundary
-  std::set<Marker> used;
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
-    elements_of[mesh.boundary[i].marker].push_back(i);
-    used.insert(mesh.boundary[i].marker);
-  }
-  const std::map<Marker, std::string> tags = su2_tags(mesh.marker_names, used);
-
-  std::string text = format_marker_notes(tags, '%');
-  text.reserve(text.size() + 64 * mesh.vertex_count() + 40 * mesh.corners.size());
-  text += "NDIME= " + std::to_string(Dim) + "\nNELEM= " + std::to_string(mesh.corners.size()) + "\n";
-  for (const auto cell : mesh.corners.ids()) {
-    append_element(text, cell_type, mesh.corners[cell]);
-    append_words(text, {static_cast<std::int64_t>(cell.index())});
-    end_line(text);
-  }
-  text += "NPOIN= " + std::to_string(mesh.vertex_count()) + "\n";
-  for (const VertexId v : mesh.points.ids()) {
-    append_point(text, mesh.points[v]);
-    append_words(text, {static_cast<std::int64_t>(v.index())});
-    end_line(text);
-  }
-  text += "NMARK= " + std::to_string(elements_of.size()) + "\n";
-  for (const auto& [marker, elements] : elements_of) {
-    text += "MARKER_TAG= " + tags.at(marker) + "\nMARKER_ELEMS= " + std::to_string(elements.size()) + "\n";
-    for (const std::size_t i : elements) {
-      append_element(text, facet_type, Simplex<Dim>::corners_of(mesh.boundary[i]));
-      end_line(text);
-    }
-  }
-  return text;
+  return su2_text<Dim>(
+      mesh, mesh.corners.ids(),
+      [&](std::string& text, auto cell) {
+        append_su2_element(text, Dim == 2 ? triangle_type : tetrahedron_type, mesh.corners[cell]);
+      },
+      [](std::string& text, const auto& facet) {
+        append_su2_element(text, Dim == 2 ? line_type : triangle_type, Simplex<Dim>::corners_of(facet));
+      });
 }
 
 }  // namespace
