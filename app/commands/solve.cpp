@@ -8,6 +8,7 @@
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/report/staged_folder.hpp"
 #include "leonhard/app/report/write.hpp"
+#include "leonhard/app/solve/separation.hpp"
 #include "leonhard/app/solve/stage_clock.hpp"
 #include "leonhard/app/solve/steps.hpp"
 #include "leonhard/solver/linear_solver.hpp"
@@ -32,6 +33,22 @@ void take(SolveRun& run, Console& console, const char* name, Step&& step) {
   console.stage(name, told, run.stages.back().seconds);
 }
 
+void tell_the_forces(const Forces& forces, bool viscous) {
+  fmt::print("CL {:.5f}   CD {:.5f}   CM {:.5f}\n", forces.cl, forces.cd, forces.cm);
+  if (viscous)
+    fmt::print("CD of pressure {:.5f}   of friction {:.5f}\n", forces.cd - forces.cd_friction, forces.cd_friction);
+}
+
+/// Separation and height of the first cells, where there are no-slip walls.
+void tell_the_walls(const SolveRun& run) {
+  const auto heights = wall_heights(run.flow);
+  if (!heights) return;
+  fmt::print("y+ of the first cells {:.3g} to {:.3g}\n", heights->least, heights->most);
+  for (const FrictionZero& zero : friction_zeros(run.flow))
+    fmt::print("{} of the flow along {} at x {:.4f}, y {:.4f}\n", to_string(zero.kind), run.conditions.at(zero.marker).name,
+               zero.at.x, zero.at.y);
+}
+
 void tell_the_end(const SolveRun& run, const std::filesystem::path& folder, const Json& report,
                   bool as_json) {
   if (as_json) {
@@ -39,8 +56,8 @@ void tell_the_end(const SolveRun& run, const std::filesystem::path& folder, cons
     return;
   }
   fmt::print("{}\n", run.flow.words);
-  fmt::print("CL {:.5f}   CD {:.5f}   CM {:.5f}\n", run.flow.forces.cl, run.flow.forces.cd,
-             run.flow.forces.cm);
+  tell_the_forces(run.flow.forces, run.the_case.flow.reynolds.has_value());
+  tell_the_walls(run);
   fmt::print("Report: {}\n", (folder / "report.html").string());
 }
 
