@@ -376,7 +376,7 @@ std::vector<KnownKey> known_keys() {
 }
 
 void require_dimension(const Case& c, int dimension) {
-  const std::set<std::string_view> of_plane{"farfield.vortex_correction", "output.close_up"},
+  const std::set<std::string_view> of_plane{"farfield.vortex_correction", "partition.method", "partition.parts", "output.close_up"},
       of_space{"flow.beta_deg", "reference.area"};
   const auto key_of = [](const std::string& name) { return std::string_view(name).substr(name.rfind('.') + 1); };
   for (const KeyInForce& entry : c.keys) {

@@ -4,13 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
-#include <sstream>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/mixed_mesh_file.hpp"
+#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -19,13 +19,6 @@ constexpr auto other_mesh = "give the field of a run on this mesh, or leave init
 
 std::array<double, 2> coordinates(Point2 p) { return {p.x, p.y}; }
 std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
-
-template <class Point>
-std::string place(const Point& p) {
-  std::ostringstream words;
-  words << p;
-  return words.str();
-}
 
 /// Vertices sorted by their coordinates.
 template <class Point>
@@ -37,23 +30,23 @@ std::vector<VertexId> by_place(const PerId<VertexId, Point>& points) {
 
 /// For each vertex of a mesh that of the file.
 template <class Point>
-PerId<VertexId, VertexId> match_vertices(const PerId<VertexId, Point>& mesh, const PerId<VertexId, Point>& file,
+PerId<VertexId, VertexId> match_vertices(const PerId<VertexId, Point>& points, const PerId<VertexId, Point>& file,
                                          const std::string& source) {
-  if (mesh.size() != file.size())
-    throw InputError(source, fmt::format("has {} vertices, the mesh has {}", file.size(), mesh.size()), other_mesh);
-  PerId<VertexId, VertexId> same(mesh.size());
-  for (const VertexId v : mesh.ids()) same[v] = v;
-  if (mesh == file) return same;
-  const std::vector<VertexId> ours = by_place(mesh), theirs = by_place(file);
+  if (points.size() != file.size())
+    throw InputError(source, fmt::format("has {} vertices, the mesh has {}", file.size(), points.size()), other_mesh);
+  PerId<VertexId, VertexId> same(points.size());
+  for (const VertexId v : points.ids()) same[v] = v;
+  if (points == file) return same;
+  const std::vector<VertexId> ours = by_place(points), theirs = by_place(file);
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    const Point& p = mesh[ours[i]];
+    const Point& p = points[ours[i]];
     if (p != file[theirs[i]]) {
       const Point& first = std::min(p, file[theirs[i]], [](const Point& a, const Point& b) { return coordinates(a) < coordinates(b); });
-      throw InputError(source, fmt::format("is of another mesh: only one of the two has a vertex at {}", place(first)), other_mesh);
+      throw InputError(source, fmt::format("is of another mesh: only one of the two has a vertex at {}", mesh::words(first)), other_mesh);
     }
-    if (i > 0 && p == mesh[ours[i - 1]])
+    if (i > 0 && p == points[ours[i - 1]])
       throw InputError(source,
-                       fmt::format("numbers its vertices otherwise, and two are at {}: which is which cannot be told", place(p)),
+                       fmt::format("numbers its vertices otherwise, and two are at {}: which is which cannot be told", mesh::words(p)),
                        "run both cases with the same [order]");
     same[ours[i]] = theirs[i];
   }
@@ -88,7 +81,7 @@ PerId<VertexId, State<dim>> initial_states(const std::filesystem::path& path,
     if (!solver::is_physical(states[v]))
       throw InputError(source,
                        fmt::format("density {}, pressure {} at {} are no state of a gas", density[k], pressure[k],
-                                   place(points[v])),
+                                   mesh::words(points[v])),
                        "give the field of a run that did not diverge");
   }
   return states;
