@@ -74,7 +74,7 @@ class SpacePictures {
     draw::TetPictureOptions options;
     options.title = run_.the_case.title + ": Cp on the walls";
     options.view = view;
-    options.show_edges = walls_.all.size() < 20'000;
+    options.show_edges = false;
     draw::draw_surface_field(album_.path(file), run_.mesh.points, walls_.all, values_of(fields_, "cp"), {.label = "Cp"},
                              options);
     album_.add("Cp on the walls, " + from, "What the flow sees of the walls, coloured by the pressure coefficient.");
@@ -157,7 +157,7 @@ class SpacePictures {
 
 std::vector<ReportPicture> draw_pictures(const SpaceRun& run, const std::filesystem::path& folder) {
   SpacePictures album(run, folder);
-  album.surface({.azimuth_deg = -120, .elevation_deg = 35}, "surface.png", "from upstream");
+  album.surface({.azimuth_deg = -140, .elevation_deg = 35}, "surface.png", "from upstream");
   album.section();
   album.cp();
   album.history();
