@@ -17,8 +17,6 @@
 namespace leonhard::app {
 namespace {
 
-constexpr CellKind kinds_of_space[] = {CellKind::tetrahedron, CellKind::pyramid, CellKind::prism, CellKind::hexahedron};
-
 Json mesh_json(const SpaceRun& run) {
   Json json = {{"vertices", run.mesh.vertex_count()}, {"edges", run.edges}, {"cells", run.mesh.cell_count()}};
   for (const CellKind kind : kinds_of_space)

@@ -12,6 +12,9 @@
 
 namespace leonhard::app {
 
+/// In the order in which they are told.
+inline constexpr std::array kinds_of_space{CellKind::tetrahedron, CellKind::pyramid, CellKind::prism, CellKind::hexahedron};
+
 /// The volume of the mesh's cells, cut into tetrahedra, against that which its boundary encloses; and its control volumes.
 struct VolumeAccount {
   double cells{}, enclosed{};

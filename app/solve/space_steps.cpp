@@ -19,8 +19,6 @@
 namespace leonhard::app::space {
 namespace {
 
-constexpr CellKind kinds_of_space[] = {CellKind::tetrahedron, CellKind::pyramid, CellKind::prism, CellKind::hexahedron};
-
 /// "1,024 tetrahedra, 16 prisms"
 std::string cells_in_words(const MixedMesh<3>& mesh) {
   std::string words;

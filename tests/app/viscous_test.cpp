@@ -106,7 +106,8 @@ TEST_CASE("a_lid_drives_a_cavity_and_what_the_lid_does_is_in_the_case") {
   CAPTURE(ran.err);
   REQUIRE(ran.exit_code == 0);
   double drag = 0;
-  for (const json& body : json::parse(ran.out)["bodies"])
+  const json report = json::parse(ran.out);
+  for (const json& body : report["bodies"])
     if (body["name"] == "lid") drag = body["cd_friction"];
   CHECK(drag < -0.05);  // the gas holds the lid back
   scratch.write("still.toml", head + walls(""));
