@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "leonhard/app/case/section_reader.hpp"
@@ -20,10 +21,15 @@ namespace {
 
 constexpr std::pair<std::string_view, BoundaryKind> condition_words[] = {
     {"slip-wall", BoundaryKind::slip_wall},
+    {"no-slip-wall", BoundaryKind::no_slip_wall},
     {"far-field", BoundaryKind::far_field},
     {"supersonic-inflow", BoundaryKind::supersonic_inflow},
     {"supersonic-outflow", BoundaryKind::supersonic_outflow},
+    {"subsonic-inflow", BoundaryKind::subsonic_inflow},
+    {"pressure-outflow", BoundaryKind::pressure_outflow},
     {"symmetry", BoundaryKind::symmetry}};
+constexpr std::pair<std::string_view, ViscosityLaw> viscosity_words[] = {
+    {"sutherland", ViscosityLaw::sutherland}, {"constant", ViscosityLaw::constant}};
 constexpr std::pair<std::string_view, TrailingEdge> trailing_edge_words[] = {
     {"sharp", TrailingEdge::sharp}, {"open", TrailingEdge::open}, {"closed", TrailingEdge::closed}};
 constexpr std::pair<std::string_view, Marching> marching_words[] = {
@@ -51,7 +57,17 @@ FlowCase read_flow(SectionReader flow) {
   FlowCase c;
   c.mach = flow.required_number("mach", {0, 100, true, false});
   c.alpha_deg = flow.number("alpha_deg", c.alpha_deg, between(-180, 180));
+  c.beta_deg = flow.number("beta_deg", c.beta_deg, between(-90, 90));
   c.gamma = flow.number("gamma", c.gamma, {1, 10, true, false});
+  c.reynolds = flow.optional_number("reynolds", above(0), "none");
+  c.prandtl = flow.number("prandtl", c.prandtl, above(0));
+  c.viscosity =
+      flow.choice("viscosity", std::optional(c.viscosity), SectionReader::Words<ViscosityLaw>(viscosity_words));
+  c.temperature = flow.number("temperature", c.temperature, above(0));
+  if (!c.reynolds)
+    for (const auto key : {"prandtl", "viscosity", "temperature"})
+      flow.refuse(key, "without flow.reynolds the flow is inviscid");
+  if (c.viscosity == ViscosityLaw::constant) flow.refuse("temperature", "the viscosity is constant");
   return c;
 }
 
@@ -156,11 +172,35 @@ void complete_boundaries(Case& c, CaseLog& log) {
       throw InputError(boundary.where, fmt::format("the case has no boundary \"{}\"", name),
                        suggestion(name, names));
   for (const std::string& name : names) {
-    const BoundaryKind fallback = name == "farfield" ? BoundaryKind::far_field : BoundaryKind::slip_wall;
+    const BoundaryKind fallback = name == "farfield" ? BoundaryKind::far_field
+                                  : c.flow.reynolds  ? BoundaryKind::no_slip_wall
+                                                     : BoundaryKind::slip_wall;
+    const auto word = std::ranges::find(condition_words, fallback, &std::pair<std::string_view, BoundaryKind>::second);
     if (c.boundary.try_emplace(name, BoundaryCase{fallback, name, c.file.string()}).second)
-      log.in_force.push_back({"boundary." + name + ".kind",
-                              fallback == BoundaryKind::far_field ? "\"far-field\"" : "\"slip-wall\"", true});
+      log.in_force.push_back({"boundary." + name + ".kind", as_toml(word->first), true, c.file.string()});
   }
+}
+
+/// What goes with the kind of a boundary; values of other kinds are refused.
+void read_boundary_values(SectionReader& reader, BoundaryCase& boundary, bool listing) {
+  const auto has = [&](BoundaryKind kind, std::string_view word, std::initializer_list<std::string_view> keys) {
+    if (boundary.kind == kind || listing) return true;
+    for (const std::string_view key : keys) reader.refuse(key, fmt::format("only a {} has one", word));
+    return false;
+  };
+  if (has(BoundaryKind::no_slip_wall, "no-slip-wall", {"temperature", "velocity"})) {
+    boundary.temperature = reader.optional_number("temperature", above(0), "none: adiabatic");
+    boundary.velocity = reader.vector("velocity", "[0, 0]");
+  }
+  if (has(BoundaryKind::subsonic_inflow, "subsonic-inflow", {"total_pressure", "total_temperature", "direction"})) {
+    boundary.total_pressure = reader.number("total_pressure", boundary.total_pressure, above(0));
+    boundary.total_temperature = reader.number("total_temperature", boundary.total_temperature, above(0));
+    boundary.direction = reader.vector("direction", "normal to the boundary");
+    if (!boundary.direction.empty() && std::ranges::all_of(boundary.direction, [](double x) { return x == 0; }))
+      throw InputError(reader.where("direction"), "the direction of the inflow is 0", "give a vector into the mesh");
+  }
+  if (has(BoundaryKind::pressure_outflow, "pressure-outflow", {"pressure"}))
+    boundary.pressure = reader.number("pressure", boundary.pressure, above(0));
 }
 
 void read_boundaries(SectionReader& top, Case& c, CaseLog& log) {
@@ -180,6 +220,11 @@ void read_boundaries(SectionReader& top, Case& c, CaseLog& log) {
           reader.where("kind"),
           fmt::format("boundary.{} is a supersonic inflow but flow.mach is {}", name, c.flow.mach),
           "use \"far-field\"");
+    if (boundary.kind == BoundaryKind::no_slip_wall && !c.flow.reynolds && !log.listing)
+      throw InputError(reader.where("kind"),
+                       fmt::format("boundary.{} is a no-slip wall but the flow is inviscid", name),
+                       "give flow.reynolds or use \"slip-wall\"");
+    read_boundary_values(reader, boundary, log.listing);
     c.boundary.emplace(name, boundary);
   }
   if (!c.bodies.empty() && !log.listing) complete_boundaries(c, log);
@@ -188,9 +233,18 @@ void read_boundaries(SectionReader& top, Case& c, CaseLog& log) {
 ReferenceCase read_reference(SectionReader reference) {
   ReferenceCase r;
   r.length = reference.number("length", r.length, above(0));
-  if (const auto centre = reference.numbers("moment_centre", 2, "[0.25, 0]"); !centre.empty())
-    r.moment_centre = {centre[0], centre[1]};
+  r.area = reference.number("area", r.area, above(0));
+  if (auto centre = reference.vector("moment_centre", "[0.25, 0]"); !centre.empty()) r.moment_centre = std::move(centre);
   return r;
+}
+
+InitialCase read_initial(SectionReader initial) {
+  InitialCase i;
+  i.field = initial.existing_file("field");
+  if (!i.field.empty() && i.field.extension() != ".vtu")
+    throw InputError(initial.where("field"), fmt::format("initial.field = \"{}\" is no .vtu", i.field.string()),
+                     "give a field.vtu that solve wrote");
+  return i;
 }
 
 SolverCase read_solver(SectionReader solver) {
@@ -263,6 +317,7 @@ Case read_sections(CaseLog& log, const toml::table* root) {
   c.farfield = read_farfield(top.section("farfield"), c);
   read_boundaries(top, c, log);
   c.reference = read_reference(top.section("reference"));
+  c.initial = read_initial(top.section("initial"));
   c.solver = read_solver(top.section("solver"));
   c.ordering = top.section("order").choice("method", std::optional(c.ordering),
                                            SectionReader::Words<OrderChoice>(order_words));
@@ -308,6 +363,7 @@ Case parse_case(std::string text, const std::filesystem::path& file) {
                      "add [[body]] sections, or domain = \"file.poly\", or mesh = \"file.su2\"");
   c.text = std::move(text);
   c.keys = std::move(log.in_force);
+  if (c.mesh_file.empty()) require_dimension(c, 2);
   return c;
 }
 
@@ -317,6 +373,25 @@ std::vector<KnownKey> known_keys() {
   CaseLog log("CASE.toml", true);
   (void)read_sections(log, nullptr);
   return std::move(log.known);
+}
+
+void require_dimension(const Case& c, int dimension) {
+  const std::set<std::string_view> of_plane{"farfield.vortex_correction", "partition.method", "partition.parts", "output.close_up"},
+      of_space{"flow.beta_deg", "reference.area"};
+  const auto key_of = [](const std::string& name) { return std::string_view(name).substr(name.rfind('.') + 1); };
+  for (const KeyInForce& entry : c.keys) {
+    if (entry.by_default) continue;
+    if ((dimension == 2 ? of_space : of_plane).contains(entry.key))
+      throw InputError(entry.where,
+                       fmt::format("{} is given but the flow is one of {}", entry.key, dimension == 2 ? "the plane" : "space"),
+                       "remove it");
+    const bool is_vector = entry.key == "reference.moment_centre" ||
+                           (entry.key.starts_with("boundary.") &&
+                            (key_of(entry.key) == "velocity" || key_of(entry.key) == "direction"));
+    if (is_vector && std::ranges::count(entry.value, ',') + 1 != dimension)
+      throw InputError(entry.where, fmt::format("{} = {} in a flow of {}", entry.key, entry.value, dimension == 2 ? "the plane" : "space"),
+                       fmt::format("give {} numbers", dimension));
+  }
 }
 
 std::string describe(const Case& c) {

@@ -16,6 +16,7 @@
 namespace leonhard::app {
 
 enum class TrailingEdge { sharp, open, closed };  ///< body.trailing_edge, see geometry/naca4.hpp
+enum class ViscosityLaw { sutherland, constant };        ///< flow.viscosity
 enum class OrderChoice { reverse_cuthill_mckee, none };  ///< order.method
 
 /// One [[body]]. Lengths called "chords" are multiples of [reference] length.
@@ -38,7 +39,12 @@ struct BodyCase {
 struct FlowCase {
   double mach = 0;       ///< free-stream Mach number, > 0
   double alpha_deg = 0;  ///< angle of attack, degrees, counter-clockwise free stream
+  double beta_deg = 0;   ///< sideslip, degrees; space only
   double gamma = 1.4;    ///< ratio of specific heats, > 1
+  std::optional<double> reynolds;  ///< of the free stream and reference.length; none: inviscid
+  double prandtl = 0.72;
+  ViscosityLaw viscosity = ViscosityLaw::sutherland;
+  double temperature = 288.15;  ///< of the free stream, kelvin: what Sutherland's law refers to
 };
 
 struct FarFieldCase {
@@ -60,11 +66,22 @@ struct BoundaryCase {
   BoundaryKind kind = BoundaryKind::slip_wall;
   std::string name;   ///< for a marker given by its number: what to call it; else NAME itself
   std::string where;  ///< "case.toml:12"
+  // Values of the kinds that have them; over those of the free stream.
+  std::optional<double> temperature{};                         ///< no_slip_wall; none: adiabatic
+  std::vector<double> velocity{};                              ///< no_slip_wall: in free-stream speeds; empty: at rest
+  double total_pressure = 1, total_temperature = 1;            ///< subsonic_inflow
+  std::vector<double> direction{};                             ///< subsonic_inflow; empty: normal to the boundary
+  double pressure = 1;                                         ///< pressure_outflow
 };
 
 struct ReferenceCase {
   double length = 1;  ///< chord: unit of every length in "chords" and of the coefficients
-  Point2 moment_centre{0.25, 0};
+  double area = 1;    ///< space only
+  std::vector<double> moment_centre{0.25, 0, 0};  ///< three numbers where it is not given
+};
+
+struct InitialCase {
+  std::filesystem::path field;  ///< a field.vtu of another run; empty: the free stream
 };
 
 struct SolverCase {
@@ -102,6 +119,7 @@ struct Case {
   MesherCase mesher;
   std::map<std::string, BoundaryCase> boundary;  ///< by NAME; for bodies, complete with the defaults
   ReferenceCase reference;
+  InitialCase initial;
   SolverCase solver;
   OrderChoice ordering = OrderChoice::reverse_cuthill_mckee;
   graph::PartitionMethod partitioning = graph::PartitionMethod::spectral;
@@ -119,6 +137,11 @@ struct Case {
 
 /// As read_case, from text already in memory; `file` names it in messages and anchors relative paths.
 [[nodiscard]] Case parse_case(std::string text, const std::filesystem::path& file);
+
+/// Refuse the keys that are given but have no meaning in a flow of the plane (2) or of space (3), and vectors of the
+/// other dimension. read_case does so itself where the case names no mesh.
+/// throws  InputError naming file, line and key
+void require_dimension(const Case&, int dimension);
 
 /// Every key with the value in force, one a line, defaults marked as such.
 [[nodiscard]] std::string describe(const Case&);

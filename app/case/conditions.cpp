@@ -30,10 +30,10 @@ std::string marker_words(Marker marker, const std::map<Marker, std::string>& nam
 
 }  // namespace
 
-std::map<Marker, NamedCondition> match_conditions(const Case& c, const std::vector<Marker>& used,
+std::map<Marker, BoundaryCase> match_conditions(const Case& c, const std::vector<Marker>& used,
                                                   const std::map<Marker, std::string>& names,
                                                   const std::string& source) {
-  std::map<Marker, NamedCondition> conditions;
+  std::map<Marker, BoundaryCase> conditions;
   std::set<std::string> matched;
   std::vector<std::string> marker_names;
   for (const Marker marker : std::set<Marker>(used.begin(), used.end())) {
@@ -42,7 +42,8 @@ std::map<Marker, NamedCondition> match_conditions(const Case& c, const std::vect
     if (section == c.boundary.end()) continue;
     matched.insert(section->first);
     const bool by_number = section->first == std::to_string(marker);
-    conditions[marker] = {by_number ? section->second.name : marker_names.back(), section->second.kind};
+    conditions[marker] = section->second;
+    if (!by_number) conditions[marker].name = marker_names.back();
   }
   for (const auto& [name, boundary] : c.boundary)
     if (!matched.contains(name))

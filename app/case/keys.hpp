@@ -10,6 +10,7 @@ struct KeyInForce {
   std::string key;    ///< "solver.order"; bodies and boundaries carry their name: "body.main.file"
   std::string value;  ///< as TOML
   bool by_default = false;
+  std::string where{};  ///< "case.toml:12"; of the section or the file where it is by default
 };
 
 /// One key a case file may have: what docs/case-file.md must tell about.

@@ -145,7 +145,7 @@ const toml::node* SectionReader::take_section(std::string_view name) {
 }
 
 void SectionReader::in_force(std::string_view key, std::string value, bool by_default) {
-  log_.in_force.push_back({path(key), std::move(value), by_default});
+  log_.in_force.push_back({path(key), std::move(value), by_default, where(key)});
 }
 
 void SectionReader::wrong(std::string_view key, const toml::node& node, const std::string& expected) const {
@@ -230,11 +230,19 @@ std::filesystem::path SectionReader::existing_file(std::string_view key) {
 }
 
 std::vector<double> SectionReader::numbers(std::string_view key, std::size_t count, std::string fallback) {
-  const std::string expected = fmt::format("{} finite numbers in brackets", count);
+  return checked_numbers(key, count, count, fmt::format("{} finite numbers in brackets", count), std::move(fallback));
+}
+
+std::vector<double> SectionReader::vector(std::string_view key, std::string fallback) {
+  return checked_numbers(key, 2, 3, "2 finite numbers in brackets, in space 3", std::move(fallback));
+}
+
+std::vector<double> SectionReader::checked_numbers(std::string_view key, std::size_t least, std::size_t most,
+                                                   const std::string& expected, std::string fallback) {
   const toml::node* node = take(key, expected, fallback);
   if (!node) return in_force(key, std::move(fallback), true), std::vector<double>{};
   const toml::array* array = node->as_array();
-  if (!array || array->size() != count) wrong(key, *node, expected);
+  if (!array || array->size() < least || array->size() > most) wrong(key, *node, expected);
   std::vector<double> values;
   std::string shown;
   for (const toml::node& element : *array) {

@@ -93,6 +93,8 @@ class SectionReader {
   [[nodiscard]] std::filesystem::path existing_file(std::string_view key);
   /// `count` finite numbers; empty if not given.
   [[nodiscard]] std::vector<double> numbers(std::string_view key, std::size_t count, std::string fallback);
+  /// Two finite numbers, or three in space (require_dimension); empty if not given.
+  [[nodiscard]] std::vector<double> vector(std::string_view key, std::string fallback);
 
   template <class Value>
   using Words = std::span<const std::pair<std::string_view, Value>>;
@@ -128,6 +130,8 @@ class SectionReader {
   const toml::node* take_section(std::string_view name);
   [[nodiscard]] std::string path(std::string_view key) const;
   [[noreturn]] void wrong(std::string_view key, const toml::node&, const std::string& expected) const;
+  std::vector<double> checked_numbers(std::string_view key, std::size_t least, std::size_t most,
+                                      const std::string& expected, std::string fallback);
   double checked_number(std::string_view key, const toml::node&, const Range&) const;
   void in_force(std::string_view key, std::string value, bool by_default);
   std::size_t choose(std::string_view key, std::optional<std::size_t> fallback,

@@ -5,21 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/report/album.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/app/report/vorticity.hpp"
 #include "leonhard/mesh/draw/draw.hpp"
 
 namespace leonhard::app {
 namespace {
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The smallest box about points, grown by a share of its larger side.
 class GrowingBox {
@@ -65,10 +60,10 @@ std::string flow_words(const SolveRun& run) {
   return fmt::format("Mach {:g}, α = {:g}°", run.the_case.flow.mach, run.the_case.flow.alpha_deg);
 }
 
-/// Draws into one folder and collects what it drew.
-class Album {
+/// The pictures of one run.
+class PlanePictures {
  public:
-  Album(const SolveRun& run, std::filesystem::path folder) : run_(run), folder_(std::move(folder)) {}
+  PlanePictures(const SolveRun& run, const std::filesystem::path& folder) : run_(run), album_(folder) {}
 
   void mach() {
     draw::FieldOptions options{
@@ -77,42 +72,45 @@ class Album {
     add("Mach number",
         "Bands and contour lines of the local Mach number about the bodies; " + flow_words(run_) + ".");
   }
+  void loss() {
+    std::vector<double> values;
+    for (const State<2>& state : run_.flow.state)
+      values.push_back(1 - solver::total_pressure_ratio({run_.the_case.flow.gamma}, {run_.the_case.flow.mach}, state));
+    draw::draw_field(path("total-pressure-loss.png"), run_.mesh, values,
+                     {.view = close_up(run_),
+                      .title = run_.the_case.title + ": loss of total pressure",
+                      .value_label = "1 − p0 / p0 of the free stream",
+                      .contour_lines = false});
+    add("Loss of total pressure",
+        "What shocks, friction and the scheme's own errors take from the total pressure of the free stream.");
+  }
+  void vorticity() {
+    std::vector<double> values = app::vorticity(run_.mesh, run_.flow.state);
+    for (double& value : values) value *= run_.the_case.reference.length / run_.the_case.flow.mach;
+    const double most = nearly_largest(values);
+    if (!(most > 0)) return;
+    draw::draw_field(path("vorticity.png"), run_.mesh, values,
+                     {.view = close_up(run_),
+                      .title = run_.the_case.title + ": vorticity",
+                      .value_label = "vorticity × length / speed of the free stream",
+                      .colour_map = draw::ColourMap::diverging,
+                      .value_range = draw::Range{-most, most},
+                      .contour_lines = false});
+    add("Vorticity", "Counter-clockwise red, clockwise blue; the end colours take what is beyond the range, as at walls.");
+  }
   void cp() {
-    std::vector<draw::Curve> curves;
-    for (const SurfaceLine& line : run_.flow.surface) {
-      draw::Curve curve{.name = run_.conditions.at(line.marker).name, .x = {}, .y = {}};
-      for (const SurfacePoint& point : line.points) {
-        curve.x.push_back(point.at.x);
-        curve.y.push_back(point.cp);
-      }
-      if (line.closed && !curve.x.empty()) {
-        curve.x.push_back(curve.x.front());
-        curve.y.push_back(curve.y.front());
-      }
-      curves.push_back(std::move(curve));
-    }
+    const std::vector<draw::Curve> curves = wall_curves([](const SurfacePoint& point) { return point.cp; });
     if (curves.empty()) return;
     draw::draw_curves(
         path("cp.png"), curves,
         {.title = "Pressure coefficient on the walls", .x_label = "x", .y_label = "Cp", .invert_y = true});
     add("Pressure coefficient", "Cp along each wall, low pressure upwards as is the custom.");
   }
-  void history() {
-    draw::Curve residual{.name = "residual", .x = {}, .y = {}}, cl{.name = "CL", .x = {}, .y = {}},
-        cd{.name = "CD", .x = {}, .y = {}};
-    for (const Iteration& iteration : run_.flow.history) {
-      for (draw::Curve* curve : {&residual, &cl, &cd}) curve->x.push_back(iteration.number);
-      residual.y.push_back(std::pow(10.0, -iteration.residual_drop_orders));
-      cl.y.push_back(iteration.cl);
-      cd.y.push_back(iteration.cd);
-    }
-    const std::vector<draw::CurvePanel> panels{
-        {{residual},
-         {.title = {}, .x_label = "iteration", .y_label = "residual / first residual", .log_y = true}},
-        {{cl}, {.title = {}, .x_label = "iteration", .y_label = "CL"}},
-        {{cd}, {.title = {}, .x_label = "iteration", .y_label = "CD"}}};
-    draw::draw_panels(path("history.png"), panels, "Convergence", 1, {.width = 1600, .height = 1200});
-    add("Convergence", "The residual against its first value, and the coefficients of lift and drag.");
+  void friction() {
+    if (run_.flow.stresses.empty()) return;
+    draw::draw_curves(path("cf.png"), wall_curves([](const SurfacePoint& point) { return point.cf; }),
+                      {.title = "Friction coefficient on the walls", .x_label = "x", .y_label = "Cf"});
+    add("Friction", "Cf along each wall, positive where it pulls downstream: below 0 the flow runs back.");
   }
   void mesh_whole() {
     draw::draw_mesh(path("mesh.png"), run_.mesh, {.view = {}, .title = run_.the_case.title + ": mesh"});
@@ -146,28 +144,58 @@ class Album {
     add("Angles", fmt::format("All corners, from {:.1f}° to {:.1f}°.", run_.quality.min_angle_deg,
                               run_.quality.max_angle_deg));
   }
-  [[nodiscard]] std::vector<ReportPicture> take() { return std::move(pictures_); }
+  void history() { album_.add_history(run_.flow.history); }
+  [[nodiscard]] std::vector<ReportPicture> take() { return album_.take(); }
 
  private:
-  std::filesystem::path path(const std::string& name) {
-    last_ = name;
-    return folder_ / name;
+  /// A curve a wall against x, closed where the wall is.
+  std::vector<draw::Curve> wall_curves(double (*value)(const SurfacePoint&)) const {
+    std::vector<draw::Curve> curves;
+    for (const SurfaceLine& line : run_.flow.surface) {
+      draw::Curve curve{.name = run_.conditions.at(line.marker).name, .x = {}, .y = {}};
+      for (const SurfacePoint& point : line.points) {
+        curve.x.push_back(point.at.x);
+        curve.y.push_back(value(point));
+      }
+      if (line.closed && !curve.x.empty()) {
+        curve.x.push_back(curve.x.front());
+        curve.y.push_back(curve.y.front());
+      }
+      curves.push_back(std::move(curve));
+    }
+    return curves;
   }
-  void add(std::string title, std::string caption) {
-    pictures_.push_back({std::move(title), std::move(caption), last_, bytes_of(folder_ / last_)});
+  /// Of all values in view the one that only every fiftieth exceeds, by amount.
+  double nearly_largest(const std::vector<double>& values) const {
+    const draw::View view = close_up(run_);
+    std::vector<double> amounts;
+    for (const VertexId v : run_.mesh.points.ids()) {
+      const Point2 p = run_.mesh.points[v];
+      const bool in_view = !view.region || (p.x > view.region->low.x && p.x < view.region->high.x &&
+                                            p.y > view.region->low.y && p.y < view.region->high.y);
+      if (in_view) amounts.push_back(std::abs(values[v.index()]));
+    }
+    if (amounts.empty()) return 0;
+    const auto at = amounts.begin() + static_cast<std::ptrdiff_t>(amounts.size() - 1 - amounts.size() / 50);
+    std::nth_element(amounts.begin(), at, amounts.end());
+    return *at;
   }
+  std::filesystem::path path(const std::string& name) { return album_.path(name); }
+  void add(std::string title, std::string caption) { album_.add(std::move(title), std::move(caption)); }
+
   const SolveRun& run_;
-  std::filesystem::path folder_;
-  std::string last_;
-  std::vector<ReportPicture> pictures_;
+  Album album_;
 };
 
 }  // namespace
 
 std::vector<ReportPicture> draw_pictures(const SolveRun& run, const std::filesystem::path& folder) {
-  Album album(run, folder);
+  PlanePictures album(run, folder);
   album.mach();
   album.cp();
+  album.friction();
+  album.loss();
+  album.vorticity();
   album.history();
   album.mesh_close();
   album.mesh_whole();

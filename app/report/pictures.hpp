@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "leonhard/app/report/html.hpp"
+#include "leonhard/app/report/page.hpp"
 #include "leonhard/app/solve/run.hpp"
 
 namespace leonhard::app {

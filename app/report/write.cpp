@@ -3,14 +3,14 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <iterator>
-#include <set>
 
+#include "leonhard/app/report/flow_files.hpp"
 #include "leonhard/app/report/html.hpp"
 #include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/report/pictures.hpp"
 #include "leonhard/app/report/solve_report.hpp"
+#include "leonhard/app/report/vorticity.hpp"
 #include "leonhard/app/solve/stage_clock.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
@@ -20,47 +20,23 @@ namespace leonhard::app {
 namespace {
 
 void write_field(const SolveRun& run, const std::filesystem::path& path) {
-  const Gas gas{run.the_case.flow.gamma};
-  const FreeStream free{run.the_case.flow.mach, 0};
-  PointField density{"density", 1, {}}, velocity{"velocity", 2, {}}, pressure{"pressure", 1, {}},
-      mach{"mach", 1, {}}, cp{"cp", 1, {}}, loss{"total_pressure_loss", 1, {}};
-  for (const State<2>& state : run.flow.state) {
-    density.values.push_back(state.rho);
-    velocity.values.insert(velocity.values.end(), {state.u, state.v});
-    pressure.values.push_back(state.p);
-    mach.values.push_back(solver::mach_number(gas, state));
-    cp.values.push_back(solver::pressure_coefficient(gas, free, state.p));
-    loss.values.push_back(1 - solver::total_pressure_ratio(gas, free, state));
-  }
-  io::write_vtu(path, run.mesh, {density, velocity, pressure, mach, cp, loss});
+  std::vector<PointField> fields = flow_fields(run.the_case.flow, run.flow.state);
+  fields.push_back({"vorticity", 1, vorticity(run.mesh, run.flow.state)});
+  io::write_vtu(path, run.mesh, fields);
 }
 
 void write_surface(const SolveRun& run, const std::filesystem::path& path) {
-  std::string csv = "body,x,y,s,cp,mach\n";
+  const bool viscous = !run.flow.stresses.empty();
+  std::string csv = std::string("body,x,y,s,cp,mach") + (viscous ? ",cf,heat,y_plus\n" : "\n");
   for (const SurfaceLine& line : run.flow.surface) {
     const std::string& name = run.conditions.at(line.marker).name;
     for (const SurfacePoint& point : line.points) {
-      fmt::format_to(std::back_inserter(csv), "{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", name,
+      fmt::format_to(std::back_inserter(csv), "{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}", name,
                      point.at.x, point.at.y, point.arc_length, point.cp, point.mach);
+      csv += viscous ? fmt::format(",{:.17g},{:.17g},{:.17g}\n", point.cf, point.heat, point.y_plus) : "\n";
     }
   }
   io::write_file_atomically(path, csv);
-}
-
-void write_history(const SolveRun& run, const std::filesystem::path& path) {
-  std::string csv = "iteration,residual_drop_orders,cl,cd,cm,cfl,linear_iterations,seconds\n";
-  for (const Iteration& i : run.flow.history) {
-    fmt::format_to(std::back_inserter(csv), "{},{:.6f},{:.12g},{:.12g},{:.12g},{:.6g},{},{:.4f}\n", i.number,
-                   i.residual_drop_orders, i.cl, i.cd, i.cm, i.cfl, i.linear_iterations, i.seconds);
-  }
-  io::write_file_atomically(path, csv);
-}
-
-std::set<std::string> files_in(const std::filesystem::path& folder) {
-  std::set<std::string> names{"report.json", "report.html"};
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    names.insert(entry.path().filename().string());
-  return names;
 }
 
 }  // namespace
@@ -71,7 +47,7 @@ Json write_report(SolveRun& run, const std::filesystem::path& folder) {
     StageClock clock(run, "write");
     write_field(run, folder / "field.vtu");
     write_surface(run, folder / "surface.csv");
-    write_history(run, folder / "history.csv");
+    write_history<2>(run.flow.history, folder / "history.csv");
     io::write_mesh(folder / "mesh.su2", run.mesh);
     pictures = draw_pictures(run, folder);
   }

@@ -45,39 +45,47 @@ struct Numbering {
   std::vector<std::uint32_t> order;  ///< order[new] = vertex of the graph
 };
 
-/// Everything that one run of `leonhard solve` knows, filled step by step (solve/steps.hpp) and read by the
-/// report.
-struct SolveRun {
+/// What a run of `leonhard solve` knows whatever its dimension.
+struct RunCommon {
   Case the_case;
+  std::map<Marker, BoundaryCase> conditions;
+
+  std::optional<graph::CsrGraph> vertex_graph;  ///< of the mesh as it came, before ordering
+  std::vector<Numbering> numberings;            ///< as it came, then as ordered
+
+  std::vector<StageTime> stages;
+  std::vector<std::string> warnings;
+  double total_seconds{};
+  int threads{};
+};
+
+/// And its flow.
+template <int dim>
+struct FlowRun : RunCommon {
+  SteadyResult<dim> flow;
+
+  /// Verdicts that count as "done": the rest is a goal not met, or a stop.
+  [[nodiscard]] bool goal_met() const {
+    return flow.verdict == Verdict::converged || flow.verdict == Verdict::settled;
+  }
+};
+
+/// Everything that one run about the plane knows, filled step by step (solve/steps.hpp) and read by the report.
+struct SolveRun : FlowRun<2> {
   std::optional<DomainGeometry> geometry;            ///< none where the case names a mesh
   std::optional<delaunay::RefineReport> refinement;  ///< likewise
 
   TriangleMesh mesh;  ///< in the numbering of the solver; quadrilaterals of a file cut in two
   std::optional<MeshDual<2>> dual;  ///< where the file has quadrilaterals, which the solver takes whole: likewise
   EdgeStructure edges;
-  std::map<Marker, NamedCondition> conditions;
 
   EulerAccount euler;
   MeshQuality quality;
   Fingerprint fingerprint;
   std::optional<AreaAccount> area;  ///< none where there is no polygon to compare with
 
-  std::optional<graph::CsrGraph> vertex_graph;  ///< of the mesh as it came, before ordering
-  std::vector<Numbering> numberings;            ///< as it came, then as ordered
   graph::TrianglePartition triangle_parts;
   graph::PartitionCost partition_cost;
-
-  SteadyResult<2> flow;
-
-  std::vector<StageTime> stages;
-  std::vector<std::string> warnings;
-  double total_seconds{};
-  int threads{};
-
-  /// Verdicts that count as "done": the rest is a goal not met, or a stop.
-  [[nodiscard]] bool goal_met() const {
-    return flow.verdict == Verdict::converged || flow.verdict == Verdict::settled;
-  }
 };
 
 }  // namespace leonhard::app

@@ -12,7 +12,7 @@ namespace leonhard::app {
 /// Times one stage of a run, from construction to destruction, and adds it to the run's total.
 class StageClock {
  public:
-  StageClock(SolveRun& run, std::string name) : run_(run), name_(std::move(name)) {}
+  StageClock(RunCommon& run, std::string name) : run_(run), name_(std::move(name)) {}
   ~StageClock() {
     run_.stages.push_back({std::move(name_), seconds()});
     run_.total_seconds += run_.stages.back().seconds;
@@ -25,7 +25,7 @@ class StageClock {
   }
 
  private:
-  SolveRun& run_;
+  RunCommon& run_;
   std::string name_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

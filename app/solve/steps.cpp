@@ -4,12 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 
 #include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/app/solve/march.hpp"
 #include "leonhard/app/solve/mesh_domain.hpp"
+#include "leonhard/app/solve/problem.hpp"
 #include "leonhard/delaunay/triangulate.hpp"
 #include "leonhard/graph/mesh_graph.hpp"
 #include "leonhard/kernel/input_error.hpp"
@@ -79,52 +79,6 @@ AreaAccount area_account(const SolveRun& run) {
   const mpq_class mesh2 = mesh::exact_area2(run.mesh);
   const mpq_class difference2 = mesh2 - polygon2;
   return {mesh2.get_d() / 2, polygon2.get_d() / 2, difference2 == 0, difference2.get_d() / 2};
-}
-
-FlowProblem<2> problem_of(const SolveRun& run) {
-  const Case& c = run.the_case;
-  FlowProblem<2> problem{.dual = run.dual ? *run.dual : mesh::build_dual(run.mesh),
-                       .gas = {c.flow.gamma},
-                       .free_stream = {c.flow.mach, c.flow.alpha_deg * std::numbers::pi / 180},
-                       .boundary = {},
-                       .reference = {.length = c.reference.length, .moment_centre = c.reference.moment_centre},
-                       .vortex_correction = c.farfield.vortex_correction,
-                       .vortex_centre = c.reference.moment_centre,
-                       .outer_state = {}};
-  problem.dual.marker_names = run.mesh.marker_names;
-  for (const auto& [marker, condition] : run.conditions)
-    problem.boundary[marker] = condition.kind;
-  return problem;
-}
-
-SteadyOptions options_of(const SolveRun& run) {
-  const SolverCase& s = run.the_case.solver;
-  SteadyOptions options;
-  options.marching = s.marching;
-  options.flux = s.flux;
-  options.limiter = s.limiter;
-  options.venkatakrishnan_k = s.venkatakrishnan_k;
-  options.entropy_fix = s.entropy_fix;
-  options.order = s.order;
-  options.cfl_start = s.cfl_start;
-  options.cfl_max = s.cfl_max;
-  options.residual_drop_orders = s.residual_drop_orders;
-  options.settle_tolerance = s.settle_tolerance;
-  options.settle_window = s.settle_window;
-  options.max_iterations = s.max_iterations;
-  options.threads = run.threads;
-  options.part_of = graph::vertex_partition_from_dual(run.mesh, run.triangle_parts).part_of.flat();
-  options.parts = run.triangle_parts.parts;
-  return options;
-}
-
-/// Seconds until the residual has fallen as asked, from its fall over the last iterations; none if it does not fall.
-std::optional<double> seconds_left(const std::vector<Iteration>& recent, double goal) {
-  if (recent.size() < 2) return {};
-  const double orders = recent.back().residual_drop_orders - recent.front().residual_drop_orders;
-  const double seconds = recent.back().seconds - recent.front().seconds;
-  if (orders <= 0) return {};
-  return std::max(0.0, (goal - recent.back().residual_drop_orders) / orders * seconds);
 }
 
 }  // namespace
@@ -211,22 +165,11 @@ std::string step_partition(SolveRun& run, std::uint64_t seed, std::stop_token st
 }
 
 std::string step_march(SolveRun& run, Console& console, std::stop_token stop) {
-  std::vector<Iteration> recent;
-  const double goal = run.the_case.solver.residual_drop_orders;
-  const auto monitor = [&](const Iteration& now) {
-    if (!console.talks()) return;
-    recent.push_back(now);
-    if (recent.size() > 20) recent.erase(recent.begin());
-    const auto left = seconds_left(recent, goal);
-    console.transient(
-        fmt::format("iteration {:>5}   residual down {:>5.2f} orders   CL {:>8.5f}   CD {:>8.5f}   {}",
-                    now.number, now.residual_drop_orders, now.cl, now.cd,
-                    left ? fmt::format("{:.0f} s left", std::ceil(*left)) : ""));
-  };
-  run.flow = solver::solve_steady(problem_of(run), options_of(run), monitor, stop);
-  return fmt::format("{}: {} iterations, residual down {:.1f} orders", to_string(run.flow.verdict),
-                     run.flow.history.empty() ? 0 : run.flow.history.back().number,
-                     run.flow.history.empty() ? 0.0 : run.flow.history.back().residual_drop_orders);
+  SteadyOptions options = options_of(run.the_case, run.threads);
+  options.part_of = graph::vertex_partition_from_dual(run.mesh, run.triangle_parts).part_of.flat();
+  options.parts = run.triangle_parts.parts;
+  MeshDual<2> dual = run.dual ? *run.dual : mesh::build_dual(run.mesh);
+  return march(run, problem_of(run.the_case, run.conditions, std::move(dual)), options, console, std::move(stop));
 }
 
 }  // namespace leonhard::app

@@ -35,9 +35,8 @@ Colour neutral_inside_colour() { return to_srgb({.lightness = 93, .a = 0, .b = 4
 struct TetScene {
   const TetMesh& mesh;
   TetPictureOptions options;
-  Box3 box;
-  CutPlane plane;
   Camera camera;
+  std::string caption;
   std::vector<Facet> facets;
 
   std::vector<Colour> palette;
@@ -61,22 +60,69 @@ void check_cut(const TetPictureOptions& options) {
                    "give a finite point and a finite normal that is not zero");
 }
 
+std::string grouped(std::size_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+// Four digits; 0 for what is rounding noise in a mesh of this size.
+std::string short_words(double value, double size) {
+  if (std::abs(value) < 1e-12 * size) value = 0;
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), std::abs(value), std::chars_format::general, 4);
+  return (value < 0 ? "−" : "") + std::string(text.data(), end.ptr);
+}
+
+// "y < 0.5", or "x − 0.5 z > 1": the side that is removed.
+std::string removed_side(const CutPlane& plane, const Box3& box) {
+  const std::array<double, 3> normal{plane.normal.x, plane.normal.y, plane.normal.z};
+  const std::array<double, 3> point{plane.point.x, plane.point.y, plane.point.z};
+  constexpr std::array<const char*, 3> names{"x", "y", "z"};
+  const double size = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
+  const double largest = std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
+  std::string sum;
+  double offset = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (normal[i] == 0) continue;
+    if (std::abs(normal[i]) == norm(plane.normal)) {
+      return names[i] + std::string(normal[i] > 0 ? " > " : " < ") + short_words(point[i], size);
+    }
+    const double share = normal[i] / largest;
+    sum += sum.empty() ? (share < 0 ? "−" : "") : (share < 0 ? " − " : " + ");
+    if (std::abs(share) != 1) sum += short_words(std::abs(share), 1) + " ";
+    sum += names[i];
+    offset += share * point[i];
+  }
+  return sum + " > " + short_words(offset, size);
+}
+
+std::string caption_of(const TetMesh& mesh, CutStyle cut, const CutPlane& plane, const Box3& box) {
+  const std::size_t count = mesh.tet_count();
+  std::string words = grouped(count) + (count == 1 ? " tetrahedron" : " tetrahedra");
+  if (cut == CutStyle::none) return words;
+  const std::string side = removed_side(plane, box);
+  return words + (cut == CutStyle::crinkled ? "; those with centre at " + side + " are removed"
+                                            : "; what lies at " + side + " is removed");
+}
+
 TetScene make_scene(const TetMesh& mesh, const TetPictureOptions& options, std::span<const double> values) {
   check_mesh(mesh);
   check_view(options.view);
   check_cut(options);
   const Box3 box = box_of(mesh);
+  const CutPlane plane = options.cut_plane.value_or(cut_through_middle(box, options.view));
   TetScene scene{.mesh = mesh,
                  .options = options,
-                 .box = box,
-                 .plane = options.cut_plane.value_or(cut_through_middle(box, options.view)),
                  .camera = Camera(box, options.view),
+                 .caption = caption_of(mesh, options.cut, plane, box),
                  .facets = {},
                  .palette = {},
                  .bands = {},
                  .bar_label = {},
                  .legend = {}};
-  scene.facets = visible_facets(mesh, scene.camera, options.cut, scene.plane, values);
+  scene.facets = visible_facets(mesh, scene.camera, options.cut, plane, values);
   if (scene.facets.empty()) {
     if (options.cut == CutStyle::none) {
       throw InputError("mesh", "no face of it is turned to the viewer", "run mesh::validate on it");
@@ -275,53 +321,6 @@ void paint_facets(Canvas& canvas, const TetScene& scene, const Rect& area) {
 
 // ---- around the mesh
 
-std::string grouped(std::size_t count) {
-  std::string digits = std::to_string(count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
-}
-
-// Four digits; 0 for what is rounding noise in a mesh of this size.
-std::string short_words(double value, double size) {
-  if (std::abs(value) < 1e-12 * size) value = 0;
-  std::array<char, 32> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), std::abs(value), std::chars_format::general, 4);
-  return (value < 0 ? "−" : "") + std::string(text.data(), end.ptr);
-}
-
-// "y < 0.5", or "x − 0.5 z > 1": the side that is removed.
-std::string removed_side(const CutPlane& plane, const Box3& box) {
-  const std::array<double, 3> normal{plane.normal.x, plane.normal.y, plane.normal.z};
-  const std::array<double, 3> point{plane.point.x, plane.point.y, plane.point.z};
-  constexpr std::array<const char*, 3> names{"x", "y", "z"};
-  const double size = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
-  const double largest = std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
-  std::string sum;
-  double offset = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (normal[i] == 0) continue;
-    if (std::abs(normal[i]) == norm(plane.normal)) {
-      return names[i] + std::string(normal[i] > 0 ? " > " : " < ") + short_words(point[i], size);
-    }
-    const double share = normal[i] / largest;
-    sum += sum.empty() ? (share < 0 ? "−" : "") : (share < 0 ? " − " : " + ");
-    if (std::abs(share) != 1) sum += short_words(std::abs(share), 1) + " ";
-    sum += names[i];
-    offset += share * point[i];
-  }
-  return sum + " > " + short_words(offset, size);
-}
-
-std::string caption_of(const TetScene& scene) {
-  const std::size_t count = scene.mesh.tet_count();
-  std::string words = grouped(count) + (count == 1 ? " tetrahedron" : " tetrahedra");
-  if (scene.options.cut == CutStyle::none) return words;
-  const std::string side = removed_side(scene.plane, scene.box);
-  return words + (scene.options.cut == CutStyle::crinkled ? "; those with centre at " + side + " are removed"
-                                                          : "; what lies at " + side + " is removed");
-}
-
 void draw_triad(Canvas& canvas, const Camera& camera, Point2 origin) {
   struct Arrow {
     Vec3 direction;
@@ -375,7 +374,7 @@ void paint(const std::filesystem::path& path, TetScene& scene) {
 
   canvas.text({em, 0.9 * em}, options.title, {.size = 1.15, .bold = true, .down = 0});
   if (options.show_caption) {
-    canvas.text({canvas.width() - em, canvas.height() - em}, caption_of(scene),
+    canvas.text({canvas.width() - em, canvas.height() - em}, scene.caption,
                 {.size = 0.8, .across = 1, .colour = quiet_ink});
   }
   if (options.show_axes) draw_triad(canvas, scene.camera, {3.1 * em, canvas.height() - 2.9 * em});
@@ -388,11 +387,11 @@ void paint(const std::filesystem::path& path, TetScene& scene) {
   canvas.save();
 }
 
-void check_values(const TetMesh& mesh, std::span<const double> values, const TetFieldScale& scale) {
-  if (values.size() != mesh.vertex_count()) {
+void check_values(std::size_t vertices, std::span<const double> values, const TetFieldScale& scale) {
+  if (values.size() != vertices) {
     throw InputError(
         "field",
-        std::to_string(values.size()) + " values for " + std::to_string(mesh.vertex_count()) + " vertices",
+        std::to_string(values.size()) + " values for " + std::to_string(vertices) + " vertices",
         "give one value a vertex");
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
@@ -411,6 +410,24 @@ void check_values(const TetMesh& mesh, std::span<const double> values, const Tet
   if (scale.bands < 1 || scale.bands > 200) {
     throw InputError("bands", std::to_string(scale.bands) + " is out of range", "give 1 to 200");
   }
+}
+
+/// The box of a surface's corners. throws InputError for an id out of range, a point that is not finite, no triangle
+Box3 box_of(const PerId<VertexId, Point3>& points, std::span<const std::array<VertexId, 3>> triangles) {
+  if (triangles.empty()) throw InputError("surface", "it has no triangle", "there is nothing to draw");
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box3 box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  for (const auto& triangle : triangles) {
+    for (const VertexId v : triangle) {
+      if (!points.contains(v) || !is_finite(points[v]))
+        throw InputError("surface", "vertex " + std::to_string(v.raw) + " is not there or not finite",
+                         "run mesh::validate on the mesh");
+      const Point3& p = points[v];
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+    }
+  }
+  return box;
 }
 
 void check_parts(const TetMesh& mesh, std::span<const std::uint32_t> part_of, std::uint32_t parts) {
@@ -458,8 +475,31 @@ void draw_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh, TetFi
 void draw_tet_field(const std::filesystem::path& path, const TetMesh& mesh,
                     std::span<const double> vertex_values, const TetFieldScale& scale,
                     const TetPictureOptions& options) {
-  check_values(mesh, vertex_values, scale);
+  check_values(mesh.vertex_count(), vertex_values, scale);
   TetScene scene = make_scene(mesh, options, vertex_values);
+  colour_by_value(scene, scale);
+  paint(path, scene);
+}
+
+void draw_surface_field(const std::filesystem::path& path, const PerId<VertexId, Point3>& points,
+                        std::span<const std::array<VertexId, 3>> triangles, std::span<const double> vertex_values,
+                        const TetFieldScale& scale, const TetPictureOptions& options) {
+  check_values(points.size(), vertex_values, scale);
+  check_view(options.view);
+  const Box3 box = box_of(points, triangles);
+  const TetMesh no_tetrahedra;
+  TetScene scene{.mesh = no_tetrahedra,
+                 .options = options,
+                 .camera = Camera(box, options.view),
+                 .caption = grouped(triangles.size()) + " facets",
+                 .facets = {},
+                 .palette = {},
+                 .bands = {},
+                 .bar_label = {},
+                 .legend = {}};
+  scene.facets = visible_facets(points, triangles, scene.camera, vertex_values);
+  if (scene.facets.empty())
+    throw InputError("surface", "no triangle of it is turned to the viewer", "look from another side");
   colour_by_value(scene, scale);
   paint(path, scene);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -60,6 +61,15 @@ struct TetFieldScale {
 void draw_tet_field(const std::filesystem::path& path, const TetMesh& mesh,
                     std::span<const double> vertex_values, const TetFieldScale& scale = {},
                     const TetPictureOptions& options = {});
+
+/// A field on a surface in space: of its triangles those that are counter-clockwise as the viewer sees them, so that of a body's
+/// wall the side that the flow sees is drawn. The options of cuts play no part.
+///
+/// vertex_values  one finite value a point, those that no triangle uses too
+/// throws         InputError for an id out of range, no triangle, none that faces the viewer
+void draw_surface_field(const std::filesystem::path& path, const PerId<VertexId, Point3>& points,
+                        std::span<const std::array<VertexId, 3>> triangles, std::span<const double> vertex_values,
+                        const TetFieldScale& scale = {}, const TetPictureOptions& options = {});
 
 /// A partition of the tetrahedra, touching parts in different colours.
 ///

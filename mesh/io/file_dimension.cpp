@@ -92,7 +92,7 @@ int su2_dimension(const std::filesystem::path& path) {
 
 int file_dimension(const std::filesystem::path& path) {
   static const std::vector<std::string> known{".su2",  ".vtu",   ".msh",  ".mesh",  ".node", ".ele",
-                                              ".poly", ".neigh", ".face", ".smesh", ".edge"};
+                                              ".poly", ".neigh", ".face", ".smesh", ".edge", ".p2dfmt"};
   const std::string extension = known_extension(path, known, "mesh"), source = path.string();
   if (extension == ".vtu") return vtu_dimension(read_whole_file(path), source);
   if (extension == ".msh") return msh_dimension(path);
@@ -100,7 +100,7 @@ int file_dimension(const std::filesystem::path& path) {
   const std::string head = read_file_head(path, head_bytes);
   if (extension == ".mesh") return keyword_value(head, source, "DIMENSION", {.comment = '#'});
   if (extension == ".face" || extension == ".smesh") return 3;
-  if (extension == ".edge") return 2;
+  if (extension == ".edge" || extension == ".p2dfmt") return 2;
   return second_number(head, source, extension == ".ele" || extension == ".neigh");
 }
 

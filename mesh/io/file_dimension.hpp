@@ -7,7 +7,7 @@ namespace leonhard::io {
 
 /// Whether a mesh file is of the plane (2: read_mesh) or of space (3: read_tet_mesh), by its extension and as little of
 /// its contents as tells it: the head of .node, .ele, .poly, .mesh, .su2 and JIGSAW's .msh; all of a .vtu and of Gmsh's
-/// .msh, which have to be searched for cells of space. .face and .smesh are of space, .edge of the plane; of .neigh the head.
+/// .msh, which have to be searched for cells of space. .face and .smesh are of space, .edge and .p2dfmt of the plane; of .neigh the head.
 ///
 /// A .vtu or .msh without such cells is of space if its points do not lie in a plane z = const. The answer is no promise
 /// that the file can be read.

@@ -89,6 +89,17 @@ void write_vtu(const std::filesystem::path& path, const MixedMesh<3>& mesh,
                                      const std::vector<PointField>& point_fields = {},
                                      const std::vector<CellField>& cell_fields = {});
 
+/// Write facets of a mesh of space as a surface for ParaView: types 5 (triangle) and 9 (quadrilateral), with the points that they
+/// use alone, in rising order.
+///
+/// points        of the mesh
+/// point_fields  one value a point of the mesh
+/// cell_fields   one value a facet
+/// throws        InputError for a facet of a vertex that is not there, and as write_vtu; OutputError
+void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, Point3>& points,
+                       const std::vector<MixedFacet<3>>& facets, const std::vector<PointField>& point_fields = {},
+                       const std::vector<CellField>& cell_fields = {});
+
 /// Read a .vtu of one piece of mixed cells, quadrilaterals left whole; in space triangles and quadrilaterals are marked
 /// faces. Prisms are taken with the base either way, if all are alike. Files by other programs: markers as for tetrahedra.
 ///

@@ -149,3 +149,32 @@ TEST_CASE("the_subsonic_airfoil_has_the_published_lift_and_no_drag") {
   CHECK(std::abs(report["cl"].get<double>() / 0.179 - 1) < 0.02);
   CHECK(std::abs(report["cd"].get<double>()) < 0.001);
 }
+
+TEST_CASE("the_cylinder_has_the_published_drag_and_separates_where_it_should") {
+  const ScratchFolder scratch;
+  const json report = solve(scratch, "cylinder/re40.toml");
+  CHECK(report["outcome"] == "converged");
+  CHECK(std::abs(report["cd"].get<double>() / 1.52 - 1) < 0.02);
+  CHECK(std::abs(report["cl"].get<double>()) < 0.001);
+  int separations = 0;
+  for (const json& zero : report["walls"]["friction_zeros"]) {
+    if (zero["kind"] != "separation") continue;
+    const double from_rear = std::atan2(std::abs(zero["y"].get<double>()), zero["x"].get<double>()) * 180 / std::numbers::pi;
+    CAPTURE(from_rear);
+    CHECK(std::abs(from_rear - 53.7) < 0.7);  // 53.5 to 54
+    ++separations;
+  }
+  CHECK(separations == 2);
+}
+
+TEST_CASE("the_bump_in_space_lifts_and_has_next_to_no_drag") {
+  const ScratchFolder scratch;
+  const json report = solve(scratch, "bump3d/bump.toml");
+  CHECK(report["outcome"] == "converged");
+  CHECK(report["mesh"]["prisms"] == 2 * report["mesh"]["hexahedra"].get<int>());
+  CHECK(std::abs(report["cd"].get<double>()) < 0.004);
+  for (const json& body : report["bodies"]) {
+    if (body["name"] == "bump") CHECK(body["cl"] > 0.05);
+    if (body["name"] == "top") CHECK(body["cl"] < -0.05);
+  }
+}

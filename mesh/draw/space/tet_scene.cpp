@@ -61,6 +61,33 @@ Vec3 area_vector(const Polygon& p) {
   return sum;
 }
 
+bool faces_viewer(const Facet& facet) {
+  double area = 0;
+  const FacetCorner& o = facet.corners[0];
+  for (std::size_t i = 2; i < facet.count; ++i) {
+    const FacetCorner &a = facet.corners[i - 1], &b = facet.corners[i];
+    area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+  }
+  return area > 0;
+}
+
+// None where it turns its back to the viewer.
+std::optional<Facet> visible_facet(const Polygon& p, const Camera& camera) {
+  if (p.count < 3) return std::nullopt;
+  Facet facet;
+  facet.count = p.count;
+  for (std::size_t i = 0; i < p.count; ++i) {
+    const Camera::Seen seen = camera.see(p.corners[i].at);
+    facet.corners[i] = {seen.x, seen.y, seen.nearness, p.corners[i].value};
+    facet.places[i] = p.corners[i].place;
+  }
+  if (!faces_viewer(facet)) return std::nullopt;
+  const Vec3 normal = area_vector(p);
+  const double length = norm(normal);
+  facet.normal = length > 0 ? (1 / length) * normal : Vec3{0, 0, 1};
+  return facet;
+}
+
 class Builder {
  public:
   Builder(const TetMesh& mesh, const Camera& camera, CutStyle style, const CutPlane& plane,
@@ -170,31 +197,12 @@ class Builder {
   }
 
   void add(const Polygon& p, FacetKind kind, TetId t, const std::array<VertexId, 3>& face) {
-    if (p.count < 3) return;
-    Facet facet;
-    facet.count = p.count;
-    facet.kind = kind;
-    facet.tet = t;
-    for (std::size_t i = 0; i < p.count; ++i) {
-      const Camera::Seen seen = camera_.see(p.corners[i].at);
-      facet.corners[i] = {seen.x, seen.y, seen.nearness, p.corners[i].value};
-      facet.places[i] = p.corners[i].place;
-    }
-    if (!faces_viewer(facet)) return;
-    const Vec3 normal = area_vector(p);
-    const double length = norm(normal);
-    facet.normal = length > 0 ? (1 / length) * normal : Vec3{0, 0, 1};
-    if (kind != FacetKind::section) facet.marker = markers_.find(face);
-    facets_.push_back(facet);
-  }
-  static bool faces_viewer(const Facet& facet) {
-    double area = 0;
-    const FacetCorner& o = facet.corners[0];
-    for (std::size_t i = 2; i < facet.count; ++i) {
-      const FacetCorner &a = facet.corners[i - 1], &b = facet.corners[i];
-      area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-    }
-    return area > 0;
+    auto facet = visible_facet(p, camera_);
+    if (!facet) return;
+    facet->kind = kind;
+    facet->tet = t;
+    if (kind != FacetKind::section) facet->marker = markers_.find(face);
+    facets_.push_back(*facet);
   }
 
   const TetMesh& mesh_;
@@ -266,6 +274,19 @@ std::vector<Facet> visible_facets(const TetMesh& mesh, const Camera& camera, Cut
                                   const CutPlane& plane, std::span<const double> values) {
   Builder builder(mesh, camera, style, plane, values);
   return style == CutStyle::planar ? builder.planar() : builder.faces(style);
+}
+
+std::vector<Facet> visible_facets(const PerId<VertexId, Point3>& points,
+                                  std::span<const std::array<VertexId, 3>> triangles, const Camera& camera,
+                                  std::span<const double> values) {
+  std::vector<Facet> facets;
+  for (const auto& triangle : triangles) {
+    Polygon p;
+    for (const VertexId v : triangle)
+      p.add({camera.turn(points[v]), values.empty() ? 0 : values[v.index()], {v, v}});
+    if (const auto facet = visible_facet(p, camera)) facets.push_back(*facet);
+  }
+  return facets;
 }
 
 void mark_lines(std::span<Facet> facets, bool between_colours) {

@@ -65,6 +65,12 @@ void check_mesh(const TetMesh& mesh);
 [[nodiscard]] std::vector<Facet> visible_facets(const TetMesh& mesh, const Camera& camera, CutStyle style,
                                                 const CutPlane& plane, std::span<const double> values);
 
+/// Of triangles in space those that are counter-clockwise as the viewer sees them.
+/// values  one a vertex, or none
+[[nodiscard]] std::vector<Facet> visible_facets(const PerId<VertexId, Point3>& points,
+                                                std::span<const std::array<VertexId, 3>> triangles,
+                                                const Camera& camera, std::span<const double> values);
+
 /// Tells the edges apart, after the facets have their colours. Strong are edges between facets of different kinds, creases
 /// of the boundary beyond 40 degrees, and, if asked for, edges between different colours.
 /// Cost O(n log n).

@@ -163,31 +163,27 @@ void add_cells(VtuCellArrays& cells, const MixedMesh<Dim>& mesh) {
   for (const CellId cell : mesh.kinds.ids()) cells.add(mesh.kinds[cell], mesh.corners_of(cell));
 }
 
-template <class Mesh>
-void write_grid(VtuText& text, const Mesh& mesh) {
-  text.line("<Points>");
+/// What goes into the piece of a file beside its cells.
+struct VtuPiece {
+  std::size_t points{}, cells{};
+  std::vector<double> coordinates;  ///< three a point
+  VtuCellArrays cell_arrays;
+};
+
+template <class Points>
+std::vector<double> coordinates_of(const Points& points) {
   std::vector<double> coordinates;
-  coordinates.reserve(3 * mesh.vertex_count());
-  for (const auto& point : mesh.points) {
+  coordinates.reserve(3 * points.size());
+  for (const auto& point : points) {
     const Point3 p = in_space(point);
     coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
   }
-  text.array("Points", 3, coordinates);
-  text.line("</Points>");
-
-  text.line("<Cells>");
-  VtuCellArrays cells;
-  add_cells(cells, mesh);
-  cells.write(text);
-  text.line("</Cells>");
+  return coordinates;
 }
 
-template <int Dim, class Mesh>
-std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields,
-                   const std::vector<CellField>& cell_fields) {
-  mesh::require_ids_in_range(mesh);
-  check_fields(point_fields, mesh.vertex_count(), {vtu_names::vertex_marker});
-  check_fields(cell_fields, mesh.cell_count(), {vtu_names::region});
+/// The file about its parts: each of the three writes its lines, or none.
+template <class FieldData, class PointData, class CellData>
+std::string format_piece(const VtuPiece& piece, FieldData field_data, PointData point_data, CellData cell_data) {
   VtuText text;
   const std::string compressor(vtk_compressor());
   text.line("<?xml version=\"1.0\"?>");
@@ -196,22 +192,80 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields
             "\" header_type=\"UInt64\"" + (compressor.empty() ? "" : " compressor=\"" + compressor + "\"") +
             ">");
   text.line("<UnstructuredGrid>");
-  write_field_data<Dim>(text, mesh);
-  text.line("<Piece NumberOfPoints=\"" + std::to_string(mesh.vertex_count()) + "\" NumberOfCells=\"" +
-            std::to_string(mesh.cell_count()) + "\">");
+  field_data(text);
+  text.line("<Piece NumberOfPoints=\"" + std::to_string(piece.points) + "\" NumberOfCells=\"" +
+            std::to_string(piece.cells) + "\">");
   text.line("<PointData>");
-  write_fields(text, point_fields);
-  if (!mesh.vertex_markers.empty()) text.array(vtu_names::vertex_marker, 1, mesh.vertex_markers.flat());
+  point_data(text);
   text.line("</PointData>");
   text.line("<CellData>");
-  write_fields(text, cell_fields);
-  if (!mesh.regions.empty()) text.array(vtu_names::region, 1, mesh.regions.flat());
+  cell_data(text);
   text.line("</CellData>");
-  write_grid(text, mesh);
+  text.line("<Points>");
+  text.array("Points", 3, piece.coordinates);
+  text.line("</Points>");
+  text.line("<Cells>");
+  piece.cell_arrays.write(text);
+  text.line("</Cells>");
   text.line("</Piece>");
   text.line("</UnstructuredGrid>");
   return std::move(text).finish();
 }
+
+template <int Dim, class Mesh>
+std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields,
+                   const std::vector<CellField>& cell_fields) {
+  mesh::require_ids_in_range(mesh);
+  check_fields(point_fields, mesh.vertex_count(), {vtu_names::vertex_marker});
+  check_fields(cell_fields, mesh.cell_count(), {vtu_names::region});
+  VtuPiece piece{mesh.vertex_count(), mesh.cell_count(), coordinates_of(mesh.points), {}};
+  add_cells(piece.cell_arrays, mesh);
+  return format_piece(
+      piece, [&](VtuText& text) { write_field_data<Dim>(text, mesh); },
+      [&](VtuText& text) {
+        write_fields(text, point_fields);
+        if (!mesh.vertex_markers.empty()) text.array(vtu_names::vertex_marker, 1, mesh.vertex_markers.flat());
+      },
+      [&](VtuText& text) {
+        write_fields(text, cell_fields);
+        if (!mesh.regions.empty()) text.array(vtu_names::region, 1, mesh.regions.flat());
+      });
+}
+
+/// The points that facets use, numbered in rising order.
+class UsedPoints {
+ public:
+  UsedPoints(std::size_t points, const std::vector<MixedFacet<3>>& facets) : number_(points) {
+    for (const MixedFacet<3>& facet : facets)
+      for (const VertexId v : facet) {
+        if (!number_.contains(v))
+          throw InputError("surface", "a facet names vertex " + std::to_string(v.raw) + ", which is not there",
+                           "give facets of the mesh");
+        number_[v] = v;  // is used
+      }
+    for (const VertexId v : number_.ids()) {
+      if (!number_[v]) continue;
+      number_[v] = VertexId::from(used_.size());
+      used_.push_back(v);
+    }
+  }
+  [[nodiscard]] const std::vector<VertexId>& all() const { return used_; }
+  [[nodiscard]] MixedFacet<3> renumbered(MixedFacet<3> facet) const {
+    for (std::size_t i = 0; i < facet.size(); ++i) facet[i] = *number_[facet[i]];
+    return facet;
+  }
+  [[nodiscard]] PointField of(const PointField& field) const {
+    PointField part{field.name, field.components, {}};
+    for (const VertexId v : used_)
+      for (std::size_t i = 0; i < field.components; ++i)
+        part.values.push_back(field.values[v.index() * field.components + i]);
+    return part;
+  }
+
+ private:
+  PerId<VertexId, MaybeId<VertexId>> number_;
+  std::vector<VertexId> used_;
+};
 
 }  // namespace
 
@@ -247,6 +301,25 @@ void write_vtu(const std::filesystem::path& path, const MixedMesh<2>& mesh,
 void write_vtu(const std::filesystem::path& path, const MixedMesh<3>& mesh,
                const std::vector<PointField>& point_fields, const std::vector<CellField>& cell_fields) {
   write_file_atomically(path, format_vtu(mesh, point_fields, cell_fields));
+}
+
+
+void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, Point3>& points,
+                       const std::vector<MixedFacet<3>>& facets, const std::vector<PointField>& point_fields,
+                       const std::vector<CellField>& cell_fields) {
+  check_fields(point_fields, points.size(), {vtu_names::vertex_marker});
+  check_fields(cell_fields, facets.size(), {vtu_names::region});
+  const UsedPoints used(points.size(), facets);
+  std::vector<Point3> places;
+  for (const VertexId v : used.all()) places.push_back(points[v]);
+  VtuPiece piece{places.size(), facets.size(), coordinates_of(places), {}};
+  for (const MixedFacet<3>& facet : facets)
+    piece.cell_arrays.add(facet.size() == 3 ? CellKind::triangle : CellKind::quadrilateral, used.renumbered(facet));
+  std::vector<PointField> parts;
+  for (const PointField& field : point_fields) parts.push_back(used.of(field));
+  write_file_atomically(path, format_piece(
+                                  piece, [](VtuText&) {}, [&](VtuText& text) { write_fields(text, parts); },
+                                  [&](VtuText& text) { write_fields(text, cell_fields); }));
 }
 
 }  // namespace leonhard::io

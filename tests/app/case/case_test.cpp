@@ -134,7 +134,7 @@ close_up = [0, 1, 2, 3]
   CHECK(c.mesher.max_vertices == 5000);
   CHECK(c.boundary.at("farfield").kind == BoundaryKind::supersonic_inflow);
   CHECK(c.boundary.at("main").kind == BoundaryKind::slip_wall);
-  CHECK(c.reference.moment_centre == leonhard::Point2{0.5, 0.1});
+  CHECK(c.reference.moment_centre == std::vector<double>{0.5, 0.1});
   CHECK(c.solver.order == 1);
   CHECK(c.solver.flux == FluxKind::kep_matrix);
   CHECK(c.solver.limiter == LimiterKind::barth_jespersen);
@@ -143,6 +143,120 @@ close_up = [0, 1, 2, 3]
   CHECK(c.partitioning == leonhard::graph::PartitionMethod::coordinate);
   CHECK(c.parts == 3);
   CHECK(c.output.close_up.value()[3] == 3);
+}
+
+TEST_CASE("a_viscous_case_has_its_gas_its_walls_and_its_inflow") {
+  const std::string text = R"(domain = "d.poly"
+[flow]
+mach = 0.2
+reynolds = 5000
+prandtl = 0.7
+viscosity = "constant"
+[boundary.hot]
+kind = "no-slip-wall"
+temperature = 1.5
+[boundary.belt]
+kind = "no_slip_wall"
+velocity = [1, 0]
+[boundary.inlet]
+kind = "subsonic-inflow"
+total_pressure = 1.1
+total_temperature = 1.02
+direction = [1, 0.5]
+[boundary.outlet]
+kind = "pressure-outflow"
+pressure = 0.9
+)";
+  const TemporaryFolder folder;
+  folder.write("d.poly", "");
+  const Case c = read_case(folder.write("viscous.toml", text));
+  CHECK(c.flow.reynolds == 5000.0);
+  CHECK(c.flow.prandtl == 0.7);
+  CHECK(c.flow.viscosity == ViscosityLaw::constant);
+  CHECK(c.boundary.at("hot").kind == BoundaryKind::no_slip_wall);
+  CHECK(c.boundary.at("hot").temperature == 1.5);
+  CHECK_FALSE(c.boundary.at("belt").temperature.has_value());
+  CHECK(c.boundary.at("belt").velocity == std::vector<double>{1, 0});
+  CHECK(c.boundary.at("inlet").kind == BoundaryKind::subsonic_inflow);
+  CHECK(c.boundary.at("inlet").total_pressure == 1.1);
+  CHECK(c.boundary.at("inlet").total_temperature == 1.02);
+  CHECK(c.boundary.at("inlet").direction == std::vector<double>{1, 0.5});
+  CHECK(c.boundary.at("outlet").kind == BoundaryKind::pressure_outflow);
+  CHECK(c.boundary.at("outlet").pressure == 0.9);
+}
+
+TEST_CASE("bodies_in_viscous_flow_are_no_slip_walls_unless_they_say_otherwise") {
+  const std::string viscous = "[flow]\nmach = 0.5\nreynolds = 5e3\n[[body]]\nnaca = \"0012\"\n";
+  const Case c = parse(viscous);
+  CHECK(c.boundary.at("body1").kind == BoundaryKind::no_slip_wall);
+  CHECK(c.flow.viscosity == ViscosityLaw::sutherland);
+  CHECK(c.flow.temperature == 288.15);
+  says(describe(c), "= \"no-slip-wall\"   (default)");
+  CHECK(parse(viscous + "[boundary.body1]\nkind = \"slip-wall\"\n").boundary.at("body1").kind ==
+        BoundaryKind::slip_wall);
+}
+
+TEST_CASE("viscous_keys_that_contradict_each_other_are_refused") {
+  const std::string viscous = "[flow]\nmach = 0.5\nreynolds = 5e3\n", body = "[[body]]\nnaca = \"0012\"\n";
+  says(refusal("[flow]\nmach = 0.5\nprandtl = 0.7\n" + body),
+       "x.toml:3: flow.prandtl is given but without flow.reynolds the flow is inviscid");
+  says(refusal("[flow]\nmach = 0.5\nviscosity = \"constant\"\n" + body), "x.toml:3: flow.viscosity is given but");
+  says(refusal(viscous + "viscosity = \"constant\"\ntemperature = 300\n" + body),
+       "x.toml:5: flow.temperature is given but the viscosity is constant");
+  says(refusal("[flow]\nmach = 0.5\nreynolds = 0\n" + body), "flow.reynolds = 0 is not a finite number above 0");
+  says(refusal(viscous + "prandtl = -1\n" + body), "flow.prandtl = -1 is not");
+  says(refusal(minimal + "[boundary.body1]\nkind = \"no-slip-wall\"\n"),
+       "x.toml:6: boundary.body1 is a no-slip wall but the flow is inviscid; give flow.reynolds");
+  const auto boundary = [&](const std::string& keys) { return refusal(viscous + body + "[boundary.body1]\n" + keys); };
+  says(boundary("kind = \"slip-wall\"\ntemperature = 1\n"),
+       "x.toml:8: boundary.body1.temperature is given but only a no-slip-wall has one");
+  says(boundary("kind = \"slip-wall\"\nvelocity = [1, 0]\n"), "boundary.body1.velocity is given but");
+  says(boundary("kind = \"no-slip-wall\"\npressure = 1\n"), "only a pressure-outflow has one");
+  says(boundary("kind = \"no-slip-wall\"\ntotal_pressure = 1\n"), "only a subsonic-inflow has one");
+  says(boundary("kind = \"no-slip-wall\"\ntotal_temperature = 1\n"), "only a subsonic-inflow has one");
+  says(boundary("kind = \"no-slip-wall\"\ndirection = [1, 0]\n"), "only a subsonic-inflow has one");
+  says(boundary("kind = \"no-slip-wall\"\ntemperature = 0\n"), "is not a finite number above 0");
+  says(boundary("kind = \"no-slip-wall\"\nvelocity = [1]\n"), "is not 2 finite numbers in brackets, in space 3");
+  says(boundary("kind = \"subsonic-inflow\"\ndirection = [0, 0]\n"), "x.toml:8: the direction of the inflow is 0");
+}
+
+TEST_CASE("keys_of_space_are_refused_in_the_plane_and_those_of_the_plane_in_space") {
+  says(refusal("[flow]\nmach = 1\nbeta_deg = 2\n[[body]]\nnaca = \"0012\"\n"),
+       "x.toml:3: flow.beta_deg is given but the flow is one of the plane; remove it");
+  says(refusal(minimal + "[reference]\narea = 2\n"), "x.toml:6: reference.area is given but the flow is one of the plane");
+  says(refusal(minimal + "[reference]\nmoment_centre = [0, 0, 0]\n"),
+       "x.toml:6: reference.moment_centre = [0, 0, 0] in a flow of the plane; give 2 numbers");
+
+  const TemporaryFolder folder;
+  folder.write("a.su2", "");
+  const std::string head = "mesh = \"a.su2\"\n[flow]\nmach = 0.5\n";
+  const auto of_space = [&](const std::string& more) {
+    const Case c = read_case(folder.write("space.toml", head + more));
+    return input_error_of([&] { return require_dimension(c, 3), 0; });
+  };
+  says(of_space("[farfield]\nvortex_correction = true\n"),
+       "space.toml:5: farfield.vortex_correction is given but the flow is one of space");
+  says(of_space("[output]\nclose_up = [0, 0, 1, 1]\n"), "space.toml:5: output.close_up is given but");
+  says(of_space("[boundary.in]\nkind = \"subsonic-inflow\"\ndirection = [1, 0]\n"),
+       "space.toml:6: boundary.in.direction = [1, 0] in a flow of space; give 3 numbers");
+  const Case c = read_case(folder.write(
+      "space.toml", head + "beta_deg = 3\n[reference]\narea = 2\nmoment_centre = [1, 2, 3]\n"));
+  CHECK_NOTHROW(require_dimension(c, 3));
+  CHECK(c.flow.beta_deg == 3);
+  CHECK(c.reference.area == 2);
+  CHECK(c.reference.moment_centre[2] == 3);
+}
+
+TEST_CASE("the_initial_field_is_a_vtu_that_exists") {
+  const TemporaryFolder folder;
+  folder.write("field.vtu", "");
+  folder.write("field.su2", "");
+  const auto with = [&](const std::string& name) {
+    return folder.write("start.toml", minimal + "[initial]\nfield = \"" + name + "\"\n");
+  };
+  CHECK(read_case(with("field.vtu")).initial.field == folder.write("field.vtu", ""));
+  says(input_error_of([&] { return read_case(with("none.vtu")); }), "start.toml:6: initial.field = \"none.vtu\": there is no file");
+  says(input_error_of([&] { return read_case(with("field.su2")); }), "is no .vtu; give a field.vtu that solve wrote");
 }
 
 TEST_CASE("unknown_keys_and_sections_name_the_line_and_the_nearest_known_one") {

@@ -274,3 +274,27 @@ TEST_CASE("legend_title_caption_and_axes_are_there") {
     CHECK(dark_in(without, left, top, right, bottom) == 0);
   }
 }
+
+TEST_CASE("of_a_wall_the_side_that_its_triangles_turn_to_the_viewer_is_drawn_in_the_colours_of_its_values") {
+  const test::Folder folder;
+  // A unit square across y, once turned to the front and once away; low values on the left.
+  const PerId<VertexId, Point3> points(std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}});
+  const auto at = [](std::size_t i) { return VertexId::from(i); };
+  const std::vector<std::array<VertexId, 3>> front{{at(0), at(1), at(2)}, {at(0), at(2), at(3)}},
+      back{{at(0), at(2), at(1)}, {at(0), at(3), at(2)}};
+  const std::vector<double> values{0, 1, 1, 0};
+  const TetFieldScale scale{.label = "cp", .range = Range{0, 1}, .bands = 2};
+  draw_surface_field(folder / "front.png", points, front, values, scale, bare(from_the_front));
+  const test::Pixels picture(folder / "front.png");
+  const auto colour_of = [&](double x) { return picture.at(static_cast<int>(x), 125); };
+  CHECK(colour_of(110) == lit_word(colour_at(ColourMap::sequential, 0), {0, 0, 1}));
+  CHECK(colour_of(230) == lit_word(colour_at(ColourMap::sequential, 1), {0, 0, 1}));
+  CHECK_THROWS_WITH_AS(draw_surface_field(folder / "back.png", points, back, values, scale, bare(from_the_front)),
+                       doctest::Contains("no triangle of it is turned to the viewer"), InputError);
+  CHECK_THROWS_WITH_AS(draw_surface_field(folder / "back.png", points, {}, values, scale, bare(from_the_front)),
+                       doctest::Contains("it has no triangle"), InputError);
+  const std::vector<std::array<VertexId, 3>> wild{{at(0), at(1), at(7)}};
+  CHECK_THROWS_WITH_AS(draw_surface_field(folder / "back.png", points, wild, values, scale, bare(from_the_front)),
+                       doctest::Contains("vertex 7 is not there"), InputError);
+  CHECK_FALSE(std::filesystem::exists(folder / "back.png"));
+}

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fstream>
+#include <iterator>
 #include <type_traits>
 
 #include "leonhard/mesh/io/formats/vtu_grid.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
+#include "tests/mesh/io/folder.hpp"
 #include "tests/mesh/io/mixed_samples.hpp"
 #include "tests/mesh/io/sample_tet_meshes.hpp"
 
@@ -98,4 +101,23 @@ TEST_CASE("vtu_bad_meshes_of_mixed_cells_are_refused") {
        {"no face", replaced(house, "4 5 8 0 1<", "1 5 8 0 1<"), {"face 1-5-8", "is no face of a cell"}}},
       parse);
   CHECK(refusal([] { (void)io::parse_mixed_vtu<2>(house, "m.vtu"); }).find("z = const") != std::string::npos);
+}
+
+TEST_CASE("facets_are_written_as_a_surface_with_the_points_that_they_use_alone") {
+  const PerId<VertexId, Point3> points(std::vector<Point3>{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 5}});
+  const auto at = [](std::size_t i) { return VertexId::from(i); };
+  const std::vector<MixedFacet<3>> facets{{at(1), at(2), at(3), at(4)}, {at(2), at(5), at(3)}};
+  const Folder folder;
+  const auto path = folder.path / "surface.vtu";
+  io::write_surface_vtu(path, points, facets, {{"cf", 2, {0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}}, {{"marker", 1, {3, 4}}});
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}}, source = "surface.vtu";
+  const io::XmlElement root = io::parse_xml(bytes, source, "AppendedData");
+  const io::VtuGrid grid(root, source);
+  CHECK(grid.read_points() == std::vector<Point3>(points.begin() + 1, points.end()));
+  const io::VtuCells cells = grid.read_cells();
+  CHECK(cells.types == std::vector<std::int64_t>{9, 5});
+  CHECK(cells.connectivity == std::vector<std::int64_t>{0, 1, 2, 3, 1, 4, 2});
+  CHECK(grid.read_field("cf").values == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+  CHECK_THROWS_WITH_AS(io::write_surface_vtu(path, points, {{at(0), at(1), at(8)}}), doctest::Contains("vertex 8"), InputError);
 }

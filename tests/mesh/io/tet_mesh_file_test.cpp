@@ -105,6 +105,7 @@ TEST_CASE("file_dimension_tells_the_plane_from_space") {
   CHECK(dimension_of("b.su2", std::string(100000, '%') + "\nNPOIN= 0\nNDIME= 3\n") == 3);
   CHECK(dimension_of("c.ele", "# c\n7 10 0\n") == 3);
   CHECK(dimension_of("d.ele", "7 6\n") == 2);
+  CHECK(dimension_of("g.p2dfmt", "1\n2 2\n") == 2);
   CHECK(refusal([&] { dimension_of("e.node", "7 4\n"); }).find("e.node:1: the dimension is 4") !=
         std::string::npos);
   CHECK(refusal([&] { dimension_of("f.su2", "NPOIN= 0\n"); }).find("NDIME") != std::string::npos);
