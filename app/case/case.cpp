@@ -44,6 +44,7 @@ constexpr std::pair<std::string_view, FluxKind> flux_words[] = {{"roe", FluxKind
                                                                 {"kep-scalar", FluxKind::kep_scalar},
                                                                 {"kep-matrix", FluxKind::kep_matrix}};
 constexpr std::pair<std::string_view, LimiterKind> limiter_words[] = {
+    {"r3", LimiterKind::nishikawa_r3},
     {"venkatakrishnan", LimiterKind::venkatakrishnan},
     {"barth-jespersen", LimiterKind::barth_jespersen},
     {"none", LimiterKind::none}};
@@ -255,6 +256,7 @@ SolverCase read_solver(SectionReader solver) {
   s.flux = solver.choice("flux", std::optional(s.flux), SectionReader::Words<FluxKind>(flux_words));
   s.limiter =
       solver.choice("limiter", std::optional(s.limiter), SectionReader::Words<LimiterKind>(limiter_words));
+  s.r3_k = solver.number("r3_k", s.r3_k, at_least(0));
   s.venkatakrishnan_k = solver.number("venkatakrishnan_k", s.venkatakrishnan_k, at_least(0));
   s.entropy_fix = solver.number("entropy_fix", s.entropy_fix, between(0, 1));
   s.residual_drop_orders =

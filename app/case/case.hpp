@@ -89,6 +89,7 @@ struct SolverCase {
   int order = 2;
   FluxKind flux = SteadyOptions{}.flux;
   LimiterKind limiter = SteadyOptions{}.limiter;
+  double r3_k = SteadyOptions{}.r3_k;
   double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double residual_drop_orders = 8;
   double entropy_fix = 0.05;
