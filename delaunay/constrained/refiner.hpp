@@ -74,8 +74,10 @@ class Refiner {
 
   void treat(const TriangleTask& task);
   [[nodiscard]] Excuse try_to_remove(const TriangleTask& task);
-  [[nodiscard]] bool spans_equal_shells(AnyTriangleId t, const CornerPoints& corners, const Shape& shape) const;
-  [[nodiscard]] double reach(const CornerPoints& t, const Shape& shape, const TriangleBounds::Miss& miss) const;
+  [[nodiscard]] bool spans_equal_shells(AnyTriangleId t, const CornerPoints& corners,
+                                        const Shape& shape) const;
+  [[nodiscard]] double reach(const CornerPoints& t, const Shape& shape,
+                             const TriangleBounds::Miss& miss) const;
   [[nodiscard]] Site find_site(AnyTriangleId from, Point2 p) const;
   [[nodiscard]] bool lexicographically_first(SideId s, SideId t) const;
   void grow_cavity(Point2 p);

@@ -54,7 +54,8 @@ double TriangleBounds::size_at(Point2 p) const {
   return h;
 }
 
-TriangleBounds::Miss TriangleBounds::miss(const CornerPoints& t, const Shape& shape, double region_area) const {
+TriangleBounds::Miss TriangleBounds::miss(const CornerPoints& t, const Shape& shape,
+                                          double region_area) const {
   Miss miss;
   double excess = 0;  // squared ratio of size to bound
   if (size_) {
