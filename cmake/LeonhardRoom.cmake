@@ -42,8 +42,8 @@ function(leonhard_flags target)
   endif()
 endfunction()
 
-# leonhard_unity(TARGET): compile the sources of a folder as one, eight at most: headers are read and templates compiled
-# once for all of them. Names in a folder's unnamed namespaces must differ for it, but for those of meshes of the plane and
+# leonhard_unity(TARGET): compile the sources of a folder as one, eight at most, sixteen in release builds, which are made
+# once: headers are read and templates compiled once for all of them. Names in a folder's unnamed namespaces must differ for it, but for those of meshes of the plane and
 # of space: files of tetrahedra, by their names, are put together apart. Sources with options of their own, and those named
 # SEPARATE, stay alone.
 function(leonhard_unity target)
@@ -75,9 +75,13 @@ function(leonhard_unity target)
     list(APPEND sources_of_${folder} ${source})
   endforeach()
   list(REMOVE_DUPLICATES folders)
+  set(most 8)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    set(most 16)
+  endif()
   foreach(folder IN LISTS folders)
     list(LENGTH sources_of_${folder} count)
-    math(EXPR groups "(${count} + 7) / 8")
+    math(EXPR groups "(${count} + ${most} - 1) / ${most}")
     math(EXPR size "(${count} + ${groups} - 1) / ${groups}")
     file(RELATIVE_PATH name ${directory} ${folder})
     string(MAKE_C_IDENTIFIER "${name}" name)

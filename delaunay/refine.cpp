@@ -15,7 +15,7 @@
 namespace leonhard::delaunay {
 namespace {
 
-void check(const RefineOptions& options) {
+void check_options(const RefineOptions& options) {
   if (!(options.min_angle_deg >= 0 && options.min_angle_deg <= 40))
     throw InputError("RefineOptions::min_angle_deg", "is " + mesh::words(options.min_angle_deg),
                      "give 0 to 40 degrees; up to 33 can be met as a rule");
@@ -55,7 +55,7 @@ void refuse(const Pslg& pslg, TriangulateOutcome outcome) {
 }  // namespace
 
 RefinedMesh mesh_pslg(const Pslg& pslg, const RefineOptions& options) {
-  check(options);
+  check_options(options);
   Domain domain =
       make_domain(pslg, options.keep_convex_hull, Algorithm::fast, {.progress = options.progress});
   refuse(pslg, domain.outcome);

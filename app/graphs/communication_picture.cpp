@@ -96,7 +96,8 @@ class ExchangesDiagram {
 
   /// The place on a line, not near its ends, that is farthest from the words so far. These are wider than high, so that a
   /// distance across counts less.
-  [[nodiscard]] static Point2 emptiest_place(std::span<const draw::Diagram::Words> words, Point2 a, Point2 b) {
+  [[nodiscard]] static Point2 emptiest_place(std::span<const draw::Diagram::Words> words, Point2 a,
+                                             Point2 b) {
     Point2 best = a + 0.5 * (b - a);
     double farthest = -1;
     for (const double share : {0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74}) {

@@ -96,7 +96,7 @@ void Refiner::run(RefineReport& report) {
 
 // ---- queues ----
 
-Corners Refiner::corners_of(AnyTriangleId t) const {
+CornerPoints Refiner::corners_of(AnyTriangleId t) const {
   return canonical(cells_.point(topology_.corner(t, 0)), cells_.point(topology_.corner(t, 1)),
                    cells_.point(topology_.corner(t, 2)));
 }
@@ -114,7 +114,7 @@ void Refiner::enqueue_all() {
 }
 
 void Refiner::enqueue(AnyTriangleId t) {
-  const Corners corners = corners_of(t);
+  const CornerPoints corners = corners_of(t);
   const Shape shape = shape_of(corners);
   const TriangleBounds::Miss miss = bounds_.miss(corners, shape, region_area(t));
   if (!miss) return;
@@ -163,7 +163,7 @@ void Refiner::treat(const TriangleTask& task) {
 /// Insert a vertex that removes the triangle; or queue pieces that must be split before, and then the triangle
 /// again; or say why neither can be done.
 Refiner::Excuse Refiner::try_to_remove(const TriangleTask& task) {
-  const Corners corners = corners_of(task.triangle);
+  const CornerPoints corners = corners_of(task.triangle);
   const Shape shape = shape_of(corners);
   if (!task.miss.size && spans_equal_shells(task.triangle, corners, shape)) return Excuse::small_input_angle;
   const Point2 p = off_centre(corners, shape, reach(corners, shape, task.miss));
@@ -208,7 +208,7 @@ Refiner::Excuse Refiner::try_to_remove(const TriangleTask& task) {
 
 /// Whether the shortest edge joins two segments that meet at a small angle, at equal distance from where they
 /// meet: then splitting would only make it shorter (Miller, Pav and Walkington 2003).
-bool Refiner::spans_equal_shells(AnyTriangleId t, const Corners& corners, const Shape& shape) const {
+bool Refiner::spans_equal_shells(AnyTriangleId t, const CornerPoints& corners, const Shape& shape) const {
   const auto vertex = [&](unsigned i) {
     return topology_.corner(t, (corners.first + shape.shortest + i) % 3);
   };
@@ -231,7 +231,7 @@ bool Refiner::spans_equal_shells(AnyTriangleId t, const Corners& corners, const 
 ///
 /// Where the triangle is too large and its shortest edge is not: as far as makes the new triangle's other edges one
 /// target length long, as an advancing front would (Rebay 1993), so that sizes grow evenly from the boundary.
-double Refiner::reach(const Corners& t, const Shape& shape, const TriangleBounds::Miss& miss) const {
+double Refiner::reach(const CornerPoints& t, const Shape& shape, const TriangleBounds::Miss& miss) const {
   if (!miss.size || !bounds_.has_size()) return miss.angle ? angle_reach_ : infinity;
   constexpr double equilateral = 0.8660254037844386;
   const double target2 = std::pow(bounds_.size_at(off_centre(t, shape, equilateral)), 2);
@@ -383,7 +383,7 @@ void Refiner::account(RefineReport& report) const {
   for (std::size_t i = 0; i < topology_.triangle_count(); ++i) {
     const AnyTriangleId t = AnyTriangleId::from(i);
     if (topology_.is_ghost(t)) continue;
-    const Corners corners = corners_of(t);
+    const CornerPoints corners = corners_of(t);
     const TriangleQuality quality = mesh::triangle_quality(corners.at[0], corners.at[1], corners.at[2]);
     report.min_angle_deg = std::min(report.min_angle_deg, quality.min_angle_deg);
     report.max_angle_deg = std::max(report.max_angle_deg, quality.max_angle_deg);

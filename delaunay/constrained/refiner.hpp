@@ -61,7 +61,7 @@ class Refiner {
     VertexId from, to;
   };
 
-  [[nodiscard]] Corners corners_of(AnyTriangleId t) const;
+  [[nodiscard]] CornerPoints corners_of(AnyTriangleId t) const;
   [[nodiscard]] double region_area(AnyTriangleId t) const;
   [[nodiscard]] bool is_real(SideId s) const { return !topology_.is_ghost(topology_.triangle(s)); }
 
@@ -74,8 +74,10 @@ class Refiner {
 
   void treat(const TriangleTask& task);
   [[nodiscard]] Excuse try_to_remove(const TriangleTask& task);
-  [[nodiscard]] bool spans_equal_shells(AnyTriangleId t, const Corners& corners, const Shape& shape) const;
-  [[nodiscard]] double reach(const Corners& t, const Shape& shape, const TriangleBounds::Miss& miss) const;
+  [[nodiscard]] bool spans_equal_shells(AnyTriangleId t, const CornerPoints& corners,
+                                        const Shape& shape) const;
+  [[nodiscard]] double reach(const CornerPoints& t, const Shape& shape,
+                             const TriangleBounds::Miss& miss) const;
   [[nodiscard]] Site find_site(AnyTriangleId from, Point2 p) const;
   [[nodiscard]] bool lexicographically_first(SideId s, SideId t) const;
   void grow_cavity(Point2 p);

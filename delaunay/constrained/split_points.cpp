@@ -6,7 +6,7 @@
 
 namespace leonhard::delaunay {
 
-Point2 off_centre(const Corners& t, const Shape& shape, double reach) {
+Point2 off_centre(const CornerPoints& t, const Shape& shape, double reach) {
   const Point2 p = t.at[(shape.shortest + 1) % 3], q = t.at[(shape.shortest + 2) % 3],
                r = t.at[shape.shortest];
   const Vec2 edge = q - p, leg = r - p;

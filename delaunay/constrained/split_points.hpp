@@ -12,7 +12,7 @@ namespace leonhard::delaunay {
 /// reach    positive; infinite for the circumcentre itself
 /// returns  may be not finite for triangles that are flat to rounding
 /// Method: the off-centre of Üngör, LATIN 2004.
-[[nodiscard]] Point2 off_centre(const Corners& t, const Shape& shape, double reach);
+[[nodiscard]] Point2 off_centre(const CornerPoints& t, const Shape& shape, double reach);
 
 /// The reach with which the new triangle on the shortest edge just meets the bound: (1/2) cot(angle / 2), less
 /// 5 percent so that rounding does not leave it below.

@@ -12,13 +12,13 @@
 
 namespace leonhard::delaunay {
 
-Corners canonical(Point2 a, Point2 b, Point2 c) {
+CornerPoints canonical(Point2 a, Point2 b, Point2 c) {
   if (b < a && b < c) return {{b, c, a}, 1};
   if (c < a && c < b) return {{c, a, b}, 2};
   return {{a, b, c}, 0};
 }
 
-Shape shape_of(const Corners& t) {
+Shape shape_of(const CornerPoints& t) {
   std::array<double, 3> length2;
   for (unsigned i = 0; i < 3; ++i) {
     const Vec2 edge = t.at[(i + 2) % 3] - t.at[(i + 1) % 3];
@@ -54,7 +54,8 @@ double TriangleBounds::size_at(Point2 p) const {
   return h;
 }
 
-TriangleBounds::Miss TriangleBounds::miss(const Corners& t, const Shape& shape, double region_area) const {
+TriangleBounds::Miss TriangleBounds::miss(const CornerPoints& t, const Shape& shape,
+                                          double region_area) const {
   Miss miss;
   double excess = 0;  // squared ratio of size to bound
   if (size_) {

@@ -10,11 +10,11 @@ namespace leonhard::delaunay {
 
 /// The corners of a triangle, counter-clockwise, the lexicographically smallest first: what is computed from them
 /// is the same to the bit whatever number or slot the triangle has.
-struct Corners {
+struct CornerPoints {
   std::array<Point2, 3> at;
   unsigned first{};  ///< at[i] was the argument (first + i) % 3 of canonical
 };
-[[nodiscard]] Corners canonical(Point2 a, Point2 b, Point2 c);
+[[nodiscard]] CornerPoints canonical(Point2 a, Point2 b, Point2 c);
 
 /// Lengths of a triangle that the bounds and the split points are made from.
 struct Shape {
@@ -23,7 +23,7 @@ struct Shape {
   double radius2{};                ///< squared circumradius; infinite where rounding makes the triangle flat
   double area{};                   ///< may round to 0 or below
 };
-[[nodiscard]] Shape shape_of(const Corners& t);
+[[nodiscard]] Shape shape_of(const CornerPoints& t);
 
 /// What a mesh's triangles are asked for, and which of it one misses. Rounded arithmetic is right here: no
 /// topology depends on it.
@@ -41,7 +41,7 @@ class TriangleBounds {
   };
   /// region_area  the region's own area bound, not positive: none
   /// throws       InputError if the size function returns a number that is not positive and finite
-  [[nodiscard]] Miss miss(const Corners& t, const Shape& shape, double region_area) const;
+  [[nodiscard]] Miss miss(const CornerPoints& t, const Shape& shape, double region_area) const;
 
   /// Target edge length at p, checked; only where has_size().
   [[nodiscard]] double size_at(Point2 p) const;

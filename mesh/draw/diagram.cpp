@@ -152,7 +152,8 @@ class DiagramPicture {
     const TextStyle style{.across = words.across, .colour = words.colour};
     if (words.on_white) {
       const double width = canvas_.text_width(words.words, style);
-      canvas_.rectangle(Rect{anchor.x - words.across * width, anchor.y - 0.5 * em, width, em}.grown(0.12 * em));
+      canvas_.rectangle(
+          Rect{anchor.x - words.across * width, anchor.y - 0.5 * em, width, em}.grown(0.12 * em));
       canvas_.fill(white);
     }
     canvas_.text(anchor, words.words, style);

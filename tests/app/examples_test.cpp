@@ -28,8 +28,9 @@ namespace {
 
 json solve(const ScratchFolder& scratch, const std::string& example) {
   const char* program = std::getenv("LEONHARD_EXAMPLES_PROGRAM");
-  const auto ran = run("solve '" + (leonhard::test::source_folder() / "examples" / example).string() + "' -o out --json",
-                       scratch.path(), program == nullptr ? "" : program);
+  const auto ran =
+      run("solve '" + (leonhard::test::source_folder() / "examples" / example).string() + "' -o out --json",
+          scratch.path(), program == nullptr ? "" : program);
   CAPTURE(ran.err);
   REQUIRE(ran.exit_code == 0);
   return json::parse(ran.out);

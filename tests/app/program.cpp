@@ -18,8 +18,8 @@ Ran run(const std::string& arguments, const std::filesystem::path& folder, const
   // names to suppress: sanitized builds look for leaks in every subcommand but solve.
   const std::string environment = arguments.starts_with("solve") ? "ASAN_OPTIONS=detect_leaks=0 " : "";
   const std::string command = "cd '" + folder.string() + "' && " + environment + "'" +
-                              (program.empty() ? LEONHARD_PROGRAM : program) + "' " + arguments + " >'" + out.string() +
-                              "' 2>'" + err.string() + "' </dev/null";
+                              (program.empty() ? LEONHARD_PROGRAM : program) + "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): the shell redirects
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(out), text_of(err)};
 }

@@ -16,7 +16,8 @@ struct Ran {
 /// Run `leonhard ARGUMENTS` through the shell, in a folder.
 ///
 /// program  another build of it, by its path
-[[nodiscard]] Ran run(const std::string& arguments, const std::filesystem::path& folder, const std::string& program = {});
+[[nodiscard]] Ran run(const std::string& arguments, const std::filesystem::path& folder,
+                      const std::string& program = {});
 
 /// A fresh folder under the system's temporary one, removed with everything in it.
 class ScratchFolder {
