@@ -287,8 +287,12 @@ TEST_CASE("of_a_wall_the_side_that_its_triangles_turn_to_the_viewer_is_drawn_in_
   draw_surface_field(folder / "front.png", points, front, values, scale, bare(from_the_front));
   const test::Pixels picture(folder / "front.png");
   const auto colour_of = [&](double x) { return picture.at(static_cast<int>(x), 125); };
-  CHECK(colour_of(110) == lit_word(colour_at(ColourMap::sequential, 0), {0, 0, 1}));
-  CHECK(colour_of(230) == lit_word(colour_at(ColourMap::sequential, 1), {0, 0, 1}));
+  FieldOptions field;
+  field.value_range = scale.range, field.bands = scale.bands;
+  const Bands bands = make_bands({0, 1}, field);
+  REQUIRE(bands.colours.front() != bands.colours.back());
+  CHECK(colour_of(110) == lit_word(bands.colours.front(), {0, 0, 1}));
+  CHECK(colour_of(290) == lit_word(bands.colours.back(), {0, 0, 1}));
   CHECK_THROWS_WITH_AS(draw_surface_field(folder / "back.png", points, back, values, scale, bare(from_the_front)),
                        doctest::Contains("no triangle of it is turned to the viewer"), InputError);
   CHECK_THROWS_WITH_AS(draw_surface_field(folder / "back.png", points, {}, values, scale, bare(from_the_front)),
