@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 
 #include "leonhard/app/case/case.hpp"
 #include "leonhard/app/commands/commands.hpp"
@@ -12,6 +15,8 @@
 #include "leonhard/app/report/mesh_report.hpp"
 #include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/solve/mesh_domain.hpp"
+#include "leonhard/mesh/io/airfoil_dat.hpp"
+#include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 
 namespace leonhard::app {
@@ -21,35 +26,77 @@ struct MeshOptions {
   CommonOptions common;
   std::string geometry;
   MesherCase mesher;
-  double size = 0, max_area = 0;
+  double size = 0, max_area = 0, chord = 0;
   BodyCase body;
   FarFieldCase farfield;
 };
 
-/// A case that has the geometry and nothing else.
-Case case_of(const MeshOptions& options) {
-  const std::filesystem::path file = options.geometry;
-  Case c;
-  c.file = file;
-  c.mesher = options.mesher;
-  if (options.size > 0) c.mesher.size = options.size;
-  c.farfield = options.farfield;
-  if (file.extension() == ".poly") {
-    c.domain_file = file;
-  } else {
-    c.bodies.push_back(options.body);
-    c.bodies[0].file = file;
-    c.bodies[0].name = file.stem().string();
-    c.bodies[0].where = file.string();
+/// What there is to mesh, and what had to be decided to read it.
+struct MeshInput {
+  Case the_case;
+  std::vector<std::string> warnings;
+};
+
+/// The longest element's extent along x.
+double chord_of(const std::vector<AirfoilCoordinates>& elements) {
+  double chord = 0;
+  for (const AirfoilCoordinates& element : elements) {
+    const auto [low, high] = std::ranges::minmax(element.points, {}, &Point2::x);
+    chord = std::max(chord, high.x - low.x);
   }
-  return c;
+  return chord;
+}
+
+/// Bodies of a file of airfoil coordinates, lengths in chords.
+void add_bodies(const MeshOptions& options, const std::filesystem::path& file, MeshInput& input) {
+  const std::vector<AirfoilCoordinates> elements = io::read_airfoils(file);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    BodyCase body = options.body;
+    body.file = file;
+    body.where = file.string();
+    body.name = file.stem().string();
+    if (elements.size() > 1) {
+      body.element = i + 1;
+      body.name += fmt::format("_{}", i + 1);
+    }
+    body.leading_edge_spacing = body.trailing_edge_spacing = body.spacing / 3;
+    input.the_case.bodies.push_back(body);
+    input.warnings.insert(input.warnings.end(), elements[i].warnings.begin(), elements[i].warnings.end());
+  }
+  const double found = chord_of(elements);
+  input.the_case.reference.length = options.chord > 0 ? options.chord : found;
+  constexpr double about_one = 0.1;
+  if (options.chord == 0 && std::abs(found - 1) > about_one)
+    input.warnings.push_back(fmt::format("the chord is {:.6g}{}; lengths given in chords count in it (--chord)",
+                                         found, std::abs(found - 100) < 1 ? ", percent of a chord" : ""));
+  constexpr double least_edges = 48;  // of the far field, as a case has them
+  FarFieldCase& farfield = input.the_case.farfield;
+  farfield.spacing = farfield.distance * std::min(options.mesher.growth, 2 * std::numbers::pi / least_edges);
+}
+
+/// A case that has the geometry and nothing else.
+MeshInput read_geometry(const MeshOptions& options) {
+  const std::filesystem::path file = options.geometry;
+  MeshInput input;
+  input.the_case.file = file;
+  input.the_case.mesher = options.mesher;
+  if (options.size > 0) input.the_case.mesher.size = options.size;
+  input.the_case.farfield = options.farfield;
+  if (io::small_extension(file) == ".poly") {
+    input.the_case.domain_file = file;
+  } else {
+    add_bodies(options, file, input);
+  }
+  return input;
 }
 
 ExitCode mesh(const MeshOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Console console(options.common.quiet);
   const StopOnSignal signals;
-  const DomainGeometry domain = make_domain(case_of(options));
+  const MeshInput input = read_geometry(options);
+  const DomainGeometry domain = make_domain(input.the_case);
+  for (const std::string& warning : input.warnings) console.warning(warning);
   const auto meshed = mesh_domain(domain, options.mesher, options.max_area, signals.token());
   for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) console.warning(warning);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -58,6 +105,9 @@ ExitCode mesh(const MeshOptions& options) {
   if (options.common.json) {
     Json json = to_json(report);
     json["refinement"] = to_json(meshed.report);
+    json["input"] = options.geometry;
+    json["output"] = options.common.output;
+    json["warnings"] = input.warnings;
     json["seconds"] = Json{{"mesh", seconds}};
     json["peak_memory_bytes"] = peak_memory_bytes();
     fmt::print("{}\n", json.text());
@@ -112,6 +162,10 @@ Command mesh_command() {
                    .help = "Airfoils: edge length on the body, chords",
                    .target = &options->body.spacing,
                    .shows_default = true,
+                   .rule = OptionRule::positive},
+                  {.names = "--chord",
+                   .help = "Airfoils: the length of a chord; otherwise the longest element's extent along x",
+                   .target = &options->chord,
                    .rule = OptionRule::positive},
                   {.names = "--distance",
                    .help = "Airfoils: radius of the far field, chords",

@@ -43,11 +43,20 @@ Box box_of(std::span<const Point2> points) {
   return box;
 }
 
+/// The element of a body's file that it is.
+AirfoilCoordinates element_of(const BodyCase& body) {
+  if (body.element == 0) return io::read_airfoil(body.file);
+  std::vector<AirfoilCoordinates> elements = io::read_airfoils(body.file);
+  if (body.element > elements.size())
+    throw InputError(body.file.string(), fmt::format("the file has no element {}", body.element), "it has fewer");
+  return std::move(elements[body.element - 1]);
+}
+
 /// The body's curve where it will lie.
 OutlineCurve placed_curve(const BodyCase& body) {
   const Placement placement{body.scale, body.rotation_deg, body.translation};
   if (!body.naca.empty()) return place(Naca4(body.naca, body.trailing_edge, body.where).outline(), placement);
-  const AirfoilCoordinates airfoil = io::read_airfoil(body.file);
+  const AirfoilCoordinates airfoil = element_of(body);
   check_outline({body.name, body.file.string(), airfoil.points});
   if (airfoil.points.size() < 4)
     throw InputError(body.file.string(),

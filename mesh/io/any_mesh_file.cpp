@@ -11,6 +11,7 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/formats/gmsh.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/io/soup/read_soup.hpp"
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
@@ -185,8 +186,13 @@ AnyMeshFile read_any_mesh(const std::filesystem::path& path, const ReadOptions& 
       read_any_soup(path, options));
 }
 
-void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file) {
+void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file, const WriteOptions& options) {
   const std::string extension = known_extension(path, any_mesh_output_extensions(file), "mesh");
+  if (extension == ".msh") {
+    const GmshForm form{options.msh_2_2 ? GmshVersion::v2_2 : GmshVersion::v4_1, options.msh_binary};
+    return std::visit(
+        [&](const auto& mesh) { write_gmsh(path, mesh, form, file.point_fields, file.cell_fields); }, file.mesh);
+  }
   const bool with_fields = carries_fields(path);
   static const std::vector<PointField> no_point_fields;
   static const std::vector<CellField> no_cell_fields;

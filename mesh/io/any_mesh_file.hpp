@@ -30,10 +30,16 @@ namespace io {
 /// throws  InputError as read_mesh, read_tet_mesh and read_mixed_mesh do
 [[nodiscard]] AnyMeshFile read_any_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
+/// How a mesh is written.
+struct WriteOptions {
+  bool msh_2_2 = false;    ///< .msh files in version 2.2, else 4.1
+  bool msh_binary = false;  ///< and in binary
+};
+
 /// Write a mesh with its fields, format by extension. What the format has no place for is left out: left_behind tells it.
 ///
 /// throws  InputError as write_mesh, write_tet_mesh and write_mixed_mesh do; OutputError
-void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file);
+void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file, const WriteOptions& options = {});
 
 /// What a format, by the extension of a file, cannot hold of a mesh: regions, inner facets, names, vertex markers, fields. In
 /// words, e.g. "regions (2 different numbers), 118 inner faces, the field \"temperature\""; empty if nothing is lost.

@@ -82,7 +82,7 @@ void hint_at_welding(const Mesh& mesh, const ReadOptions& options, std::vector<s
   warnings.push_back(std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of boundary " +
                      Simplex<Dim>::facet +
                      "s lie back to back on vertices of equal places, where the mesh does not hang together; "
-                     "--weld joins such vertices");
+                     "--weld 0 joins such vertices");
 }
 
 mesh::MarkedFacetRules rules_for(Marker otherwise) {
