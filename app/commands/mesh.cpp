@@ -7,14 +7,17 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "leonhard/app/case/case.hpp"
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/geometry/geometry_file.hpp"
 #include "leonhard/app/report/mesh_json.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
 #include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/solve/mesh_domain.hpp"
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/airfoil_dat.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
@@ -27,6 +30,7 @@ struct MeshOptions {
   std::string geometry;
   MesherCase mesher;
   double size = 0, max_area = 0, chord = 0;
+  bool convex_hull = false;
   BodyCase body;
   FarFieldCase farfield;
 };
@@ -34,8 +38,26 @@ struct MeshOptions {
 /// What there is to mesh, and what had to be decided to read it.
 struct MeshInput {
   Case the_case;
+  std::optional<Pslg> domain;  ///< none: bodies in a far field
   std::vector<std::string> warnings;
 };
+
+/// Whether coordinates without a name are those of an airfoil: a long section that begins and ends at its larger x.
+bool looks_like_airfoil(const std::filesystem::path& file) {
+  try {
+    constexpr std::size_t fewest = 12;
+    constexpr double slender = 2.5;
+    for (const AirfoilCoordinates& element : io::read_airfoils(file)) {
+      const auto [left, right] = std::ranges::minmax(element.points, {}, &Point2::x);
+      const auto [low, high] = std::ranges::minmax(element.points, {}, &Point2::y);
+      const bool is_slender = right.x - left.x > slender * (high.y - low.y);
+      if (element.points.size() < fewest || !is_slender) return false;
+    }
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
 
 /// The longest element's extent along x.
 double chord_of(const std::vector<AirfoilCoordinates>& elements) {
@@ -82,11 +104,23 @@ MeshInput read_geometry(const MeshOptions& options) {
   input.the_case.mesher = options.mesher;
   if (options.size > 0) input.the_case.mesher.size = options.size;
   input.the_case.farfield = options.farfield;
-  if (io::small_extension(file) == ".poly") {
-    input.the_case.domain_file = file;
-  } else {
+  std::vector<std::string> known = any_geometry_extensions();
+  known.push_back(".dat");
+  const std::string extension = io::known_extension(file, known, "geometry");
+  const bool is_columns = extension == ".xy" || extension == ".xyz" || extension == ".csv" || extension == ".txt";
+  if (extension == ".dat" || (is_columns && looks_like_airfoil(file))) {
+    if (extension != ".dat") input.warnings.push_back(file.string() + " was taken for an airfoil");
     add_bodies(options, file, input);
+    return input;
   }
+  GeometryFile geometry = read_any_geometry(file);
+  if (geometry.pslg.segments.empty()) {
+    geometry = as_outline(std::move(geometry));
+    geometry.warnings.push_back(file.string() + " was taken for the outline of a domain, its points in order");
+  }
+  input.warnings = std::move(geometry.warnings);
+  input.domain = std::move(geometry.pslg);
+  input.the_case.domain_file = file;
   return input;
 }
 
@@ -95,8 +129,10 @@ ExitCode mesh(const MeshOptions& options) {
   Console console(options.common.quiet);
   const StopOnSignal signals;
   const MeshInput input = read_geometry(options);
-  const DomainGeometry domain = make_domain(input.the_case);
+  DomainGeometry domain =
+      input.domain ? make_domain(input.the_case, *input.domain) : make_domain(input.the_case);
   for (const std::string& warning : input.warnings) console.warning(warning);
+  domain.keep_convex_hull = options.convex_hull;
   const auto meshed = mesh_domain(domain, options.mesher, options.max_area, signals.token());
   for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) console.warning(warning);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -135,7 +171,7 @@ Command mesh_command() {
   Command command{
       .name = "mesh",
       .help = "A quality mesh of a planar straight-line graph or about an airfoil",
-      .options = {{"geometry", "PSLG (.poly) or airfoil coordinates (.dat)", &options->geometry, true},
+      .options = {{"geometry", "A domain (.poly .wkt .geojson), its outline (.xy .csv .txt) or airfoil coordinates (.dat)", &options->geometry, true},
                   {.names = "--min-angle",
                    .help = "No angle below this, degrees",
                    .target = &options->mesher.min_angle_deg,
@@ -153,6 +189,9 @@ Command mesh_command() {
                    .help = "Stop at this many vertices",
                    .target = &options->mesher.max_vertices,
                    .shows_default = true},
+                  {"--convex-hull",
+                   "Domains: keep the convex hull, carving holes only; otherwise all outside the segments goes",
+                   &options->convex_hull},
                   {.names = "--growth",
                    .help = "Airfoils: growth of the edge length per unit of distance",
                    .target = &options->mesher.growth,

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "leonhard/app/case/conditions.hpp"
 #include "leonhard/app/geometry/curve.hpp"
@@ -153,9 +154,9 @@ DomainGeometry domain_about_bodies(const Case& c) {
   return domain;
 }
 
-DomainGeometry domain_from_file(const Case& c) {
+DomainGeometry domain_of(Pslg&& pslg, const Case& c) {
   DomainGeometry domain;
-  domain.pslg = io::read_pslg(c.domain_file);
+  domain.pslg = std::move(pslg);
   if (domain.pslg.points.size() < 3 || domain.pslg.segments.empty())
     throw InputError(c.domain_file.string(),
                      fmt::format("{} points and {} segments enclose no domain", domain.pslg.points.size(),
@@ -194,7 +195,9 @@ DomainGeometry make_domain(const Case& c) {
   if (!c.mesh_file.empty())
     throw InputError(c.file.string(), "the case gives a ready mesh, there is no geometry to mesh",
                      "use the mesh");
-  return c.domain_file.empty() ? domain_about_bodies(c) : domain_from_file(c);
+  return c.domain_file.empty() ? domain_about_bodies(c) : domain_of(io::read_pslg(c.domain_file), c);
 }
+
+DomainGeometry make_domain(const Case& c, Pslg pslg) { return domain_of(std::move(pslg), c); }
 
 }  // namespace leonhard::app

@@ -32,6 +32,8 @@ const std::vector<std::string>& harmless_sections() {
                                               "SubDomainFromGeom",
                                               "VertexOnGeometricVertex",
                                               "VertexOnGeometricEdge",
+                                              "EdgeOnGeometricEdge",
+                                              "TriangleOnGeometricTriangle",
                                               "CrackedEdges",
                                               "EquivalencedEdges",
                                               "PhysicsReference",

@@ -18,7 +18,10 @@ constexpr TextSyntax syntax = triangle_syntax;
 // ---- reading ----
 
 /// Segments of a .poly file or edges of an .edge file.
-std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable<Point2>& vertices) {
+///
+/// warnings  gets those from a vertex to itself, which are left out
+std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable<Point2>& vertices,
+                                         std::vector<std::string>& warnings) {
   scan.need_line("the number of segments");
   const std::size_t count = scan.count("the number of segments", shortest_entry);
   const bool with_markers = read_flag(scan, "the number of boundary markers");
@@ -31,11 +34,13 @@ std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable<Po
     Pslg::Segment segment;
     segment.from = vertices.read_reference(scan, "the first vertex of a segment");
     segment.to = vertices.read_reference(scan, "the second vertex of a segment");
-    if (segment.from == segment.to)
-      scan.fail("both ends of segment " + std::to_string(number) + " are the same vertex",
-                "remove the segment");
     if (with_markers) segment.marker = scan.integer32("the boundary marker of a segment");
     scan.expect_line_end("the segment");
+    if (segment.from == segment.to) {
+      warnings.push_back(scan.where() + ": both ends of segment " + std::to_string(number) +
+                         " are the same vertex; it was left out");
+      continue;
+    }
     segments.push_back(segment);
   }
   return segments;
@@ -89,14 +94,14 @@ void read_marked_edges(const TriangleFileTexts& texts, const std::string& source
     soup.mesh.marker_names = read_marker_notes(*texts.poly, syntax.comment);
     TextScanner scan(*texts.poly, source + ".poly", syntax);
     if (read_vertices<Point2>(scan).points.empty()) {
-      segments = read_segments(scan, vertices);
+      segments = read_segments(scan, vertices, soup.warnings);
     } else {
       soup.warnings.push_back(
           source + ".poly holds points of its own: it is the geometry, and its markers were not read");
     }
   } else if (texts.edge) {
     TextScanner scan(*texts.edge, source + ".edge", syntax);
-    segments = read_segments(scan, vertices);
+    segments = read_segments(scan, vertices, soup.warnings);
     std::erase_if(segments, [](const Pslg::Segment& edge) { return edge.marker == 0; });
   }
   for (const Pslg::Segment& s : segments)
@@ -114,7 +119,8 @@ std::string format_mesh_poly(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node, const std::string& source) {
+Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node, const std::string& source,
+                std::vector<std::string>* warnings) {
   TextScanner scan(poly, source, syntax);
   VertexTable<Point2> vertices = read_vertices<Point2>(scan);
   if (vertices.points.empty()) {
@@ -126,7 +132,9 @@ Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node, c
     expect_end(node_scan, "the last vertex");
   }
   Pslg pslg;
-  pslg.segments = read_segments(scan, vertices);
+  std::vector<std::string> left_out;
+  pslg.segments = read_segments(scan, vertices, left_out);
+  if (warnings != nullptr) warnings->insert(warnings->end(), left_out.begin(), left_out.end());
   pslg.holes = read_holes(scan);
   pslg.regions = read_regions(scan);
   expect_end(scan, "the last region");
