@@ -71,8 +71,10 @@ ExitCode convert(const ConvertOptions& options) {
     file.warnings.push_back(io::small_extension(options.out) +
                             " files have no place for these, which were left behind: " + lost);
   io::write_any_mesh(options.out, file, {options.msh_version == "2.2", options.binary});
-  Console console(options.common.quiet);
-  for (const std::string& warning : file.warnings) console.warning(warning);
+  if (!options.common.quiet) {
+    Console console(false);
+    for (const std::string& warning : file.warnings) console.warning(warning);
+  }
   if (options.common.json) {
     Json report{{"in", options.in}, {"out", options.out}};
     std::visit(

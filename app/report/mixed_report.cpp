@@ -99,7 +99,7 @@ std::string text_of(const MixedReport& report) {
   const bool plane = report.dimension == 2;
   std::string text;
   const auto line = [&text](std::string_view name, const std::string& value) {
-    fmt::format_to(std::back_inserter(text), "{:<14}{}\n", name, value);
+    fmt::format_to(std::back_inserter(text), "{:<15}{}\n", name, value);
   };
   line("vertices", grouped(report.vertices));
   line("edges", grouped(report.euler.edges));

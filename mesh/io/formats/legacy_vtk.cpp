@@ -271,7 +271,7 @@ class LegacyParser {
     if (components == 0 || components > most)
       in_.fail("the field " + in_quotes(name) + " has " + std::to_string(components) + " components",
                "1 to " + std::to_string(most) + " can be read");
-    VtkNumbers numbers{std::move(name), components, type != "float" && type != "double", {}};
+    VtkNumbers numbers{std::move(name), components, type != "float" && type != "double", {}, 0};
     in_.need(std::uint64_t{rows} * components, type, "numbers of a field");
     numbers.values.reserve(rows * components);
     for (std::size_t i = 0; i < rows * components; ++i)

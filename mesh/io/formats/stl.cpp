@@ -38,7 +38,7 @@ std::vector<Point3> binary_corners(std::string_view bytes, const std::string& so
                      "was it written completely?");
   const std::uint64_t count = binary_count(bytes);
   const bool looks_like_text =
-      std::all_of(bytes.begin(), bytes.begin() + header_bytes,
+      std::all_of(bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(std::ssize(bytes), 512),
                   [](char c) { return c == '\t' || c == '\n' || c == '\r' || (c >= ' ' && c < '\x7f'); });
   if (count_end + triangle_bytes * count != bytes.size() && looks_like_text)
     throw InputError(source, "is a text that does not begin with solid", "give an STL file");

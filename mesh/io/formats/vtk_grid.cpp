@@ -88,6 +88,8 @@ void append_piece(VtkGrid& grid, VtkGrid&& piece) {
   append_arrays(grid.point_arrays, std::move(piece.point_arrays), is_first, "points", grid.warnings);
   append_arrays(grid.cell_arrays, std::move(piece.cell_arrays), is_first, "cells", grid.warnings);
   if (is_first) {
+    grid.points_line = piece.points_line;
+    grid.cells_line = piece.cells_line;
     grid.boundary = std::move(piece.boundary);
     grid.inner_facets = std::move(piece.inner_facets);
     grid.marker_names = std::move(piece.marker_names);

@@ -23,6 +23,7 @@ struct VtkNumbers {
   std::size_t components = 1;
   bool is_whole = false;  ///< of an integer type
   std::vector<double> values;
+  std::size_t line = 0;  ///< of the file, for errors; 0: unknown
 };
 
 /// Rows of whole numbers that write_vtu adds to a file.
@@ -39,6 +40,7 @@ struct VtkGrid {
   std::optional<VtkRows> boundary, inner_facets;                     ///< ours: vertices and marker of facets
   std::map<Marker, std::string> marker_names, region_names;          ///< ours
   std::vector<std::string> warnings;
+  std::size_t points_line = 0, cells_line = 0;  ///< of the file, for errors; 0: unknown
 
   [[nodiscard]] std::size_t cell_count() const { return types.size(); }
   [[nodiscard]] std::span<const std::int64_t> vertices(std::size_t c) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -24,10 +26,15 @@ const VtkNumbers* find_whole(const std::vector<VtkNumbers>& arrays, std::string_
   return found == arrays.end() ? nullptr : &*found;
 }
 
+/// A whole number without an exponent.
+std::string fixed_words(double value) {
+  return std::abs(value) < 0x1p53 ? std::to_string(static_cast<std::int64_t>(value)) : mesh::words(value);
+}
+
 Marker as_marker(const VtkNumbers& array, double value, const std::string& source) {
   if (!(value >= std::numeric_limits<Marker>::min() && value <= std::numeric_limits<Marker>::max()))
-    throw InputError(source,
-                     "the array " + in_quotes(array.name) + " holds " + mesh::words(value) +
+    throw InputError(array.line == 0 ? source : at_line(source, array.line),
+                     "the array " + in_quotes(array.name) + " holds " + fixed_words(value) +
                          ", which does not fit 32 bits",
                      "number groups and markers with 32 bits");
   return static_cast<Marker>(value);
@@ -63,7 +70,10 @@ class VtkSoupMaker {
 
  private:
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
-    throw InputError(soup_.source, problem, remedy);
+    fail_at(grid_.cells_line, problem, remedy);
+  }
+  [[noreturn]] void fail_at(std::size_t line, const std::string& problem, const std::string& remedy) const {
+    throw InputError(line == 0 ? soup_.source : at_line(soup_.source, line), problem, remedy);
   }
 
   const VtkNumbers* find_groups() const {
@@ -80,7 +90,7 @@ class VtkSoupMaker {
         soup_.mesh.points.push_back(p);
       } else {
         if (p.z != grid_.points[0].z)
-          fail("point " + std::to_string(i) + " has z = " + mesh::words(p.z) +
+          fail_at(grid_.points_line, "point " + std::to_string(i) + " has z = " + mesh::words(p.z) +
                    " unlike the first, which has z = " + mesh::words(grid_.points[0].z),
                "only meshes in a plane z = const can be read");
         soup_.mesh.points.push_back({p.x, p.y});

@@ -27,7 +27,7 @@ class VtuPiece {
 
   VtkGrid read() const {
     VtkGrid grid;
-    if (point_count_ > 0) grid.points = read_points();
+    if (point_count_ > 0) grid.points = read_points(grid.points_line);
     if (cell_count_ > 0) read_cells(grid);
     grid.point_arrays = read_arrays(piece_.child("PointData"), point_count_, grid.warnings);
     grid.cell_arrays = read_arrays(piece_.child("CellData"), cell_count_, grid.warnings);
@@ -67,8 +67,9 @@ class VtuPiece {
     return static_cast<std::size_t>(count);
   }
 
-  std::vector<Point3> read_points() const {
+  std::vector<Point3> read_points(std::size_t& line) const {
     const XmlElement& array = need(need(piece_, "Points"), "DataArray");
+    line = array.line;
     if (array.attribute("NumberOfComponents") != "3") fail(array, "points have other than 3 components");
     const std::vector<double> coordinates = read_doubles(array, encoding_, 3 * point_count_);
     std::vector<Point3> points;
@@ -81,6 +82,7 @@ class VtuPiece {
   void read_cells(VtkGrid& grid) const {
     const XmlElement& data = need(piece_, "Cells");
     const XmlElement& connectivity = need_array(data, "connectivity");
+    grid.cells_line = connectivity.line;
     grid.offsets = read_integers(need_array(data, "offsets"), encoding_, cell_count_);
     grid.types = read_integers(need_array(data, "types"), encoding_, cell_count_);
     grid.connectivity = read_integers(connectivity, encoding_, std::nullopt);
@@ -101,7 +103,8 @@ class VtuPiece {
 
   /// The numbers of one array, without the third component that write_vtu adds to two.
   VtkNumbers read_numbers_of(const XmlElement& array, std::size_t rows) const {
-    VtkNumbers numbers{array.attribute("Name"), 1, !array.attribute("type").starts_with("Float"), {}};
+    VtkNumbers numbers{array.attribute("Name"), 1, !array.attribute("type").starts_with("Float"), {},
+                       array.line};
     const std::string text = array.attribute("NumberOfComponents", "1");
     TextScanner scan(text, encoding_.source, {.lines_before = array.line - 1});
     scan.need_line("the number of components");

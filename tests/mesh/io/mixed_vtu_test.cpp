@@ -65,10 +65,10 @@ TEST_CASE("vtu_cells_of_other_programs_are_taken_and_their_faces_marked") {
         MarkedMixedFacet<3>{{VertexId{0}, VertexId{3}, VertexId{2}, VertexId{1}}, 7});
   CHECK(file.mesh.boundary[1] == MarkedMixedFacet<3>{{VertexId{4}, VertexId{5}, VertexId{8}}, 8});
   for (std::size_t i = 2; i < 9; ++i) CHECK(file.mesh.boundary[i].marker == 1);
-  CHECK(file.cell_fields[1] == CellField{"heat", 1, {10, 11}});
+  CHECK(file.cell_fields[0] == CellField{"heat", 1, {10, 11}});
   REQUIRE(file.warnings.size() == 1);
   CHECK(file.warnings[0].find("7 of 9 boundary faces have no marker") == 0);
-  CHECK(file.mesh.marker_names == std::map<Marker, std::string>{{1, "boundary"}});
+  CHECK(file.mesh.marker_names == std::map<Marker, std::string>{{1, "unmarked"}});
 }
 
 TEST_CASE("vtu_prisms_are_written_with_the_base_outwards_and_taken_either_way") {
