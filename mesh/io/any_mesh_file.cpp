@@ -21,6 +21,8 @@
 namespace leonhard::io {
 namespace {
 
+constexpr const char* marker_field = "marker";
+
 template <class File>
 AnyMeshFile any_of(File&& file) {
   return {std::move(file.mesh), std::move(file.warnings), std::move(file.point_fields),
@@ -222,11 +224,17 @@ std::string renumber_markers(AnyMeshFile& file) {
   return std::visit([](auto& mesh) { return renumber(mesh); }, file.mesh);
 }
 
-const PointField& finite_field(const AnyMeshFile& file, const std::string& name, const std::string& source) {
+PointField finite_field(const AnyMeshFile& file, const std::string& name, const std::string& source) {
   const auto found = std::find_if(file.point_fields.begin(), file.point_fields.end(),
                                   [&](const PointField& field) { return field.name == name; });
   if (found == file.point_fields.end()) {
-    std::string names;
+    const std::vector<double> markers = std::visit(
+        [](const auto& mesh) {
+          return std::vector<double>(mesh.vertex_markers.begin(), mesh.vertex_markers.end());
+        },
+        file.mesh);
+    if (name == marker_field && !markers.empty()) return {marker_field, 1, markers};
+    std::string names = markers.empty() ? "" : std::string("it has ") + marker_field;
     for (const PointField& field : file.point_fields) names += (names.empty() ? "it has " : ", ") + field.name;
     throw InputError(source, "there is no point field " + in_quotes(name), names);
   }

@@ -50,11 +50,10 @@ void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file, 
 /// returns  in words which numbers changed, empty if none
 [[nodiscard]] std::string renumber_markers(AnyMeshFile& file);
 
-/// A point field by its name, all values finite, of 1 to 3 components.
+/// A point field by its name, all values finite, of 1 to 3 components. The markers of the vertices are the field "marker".
 /// source   names the file in errors
 /// throws  InputError if there is none (the message lists those there are), or it is not finite
-[[nodiscard]] const PointField& finite_field(const AnyMeshFile& file, const std::string& name,
-                                             const std::string& source);
+[[nodiscard]] PointField finite_field(const AnyMeshFile& file, const std::string& name, const std::string& source);
 
 /// What read_any_mesh knows.
 [[nodiscard]] const std::vector<std::string>& any_mesh_extensions();
