@@ -89,7 +89,10 @@ class Clipper {
     result_.first_corner.push_back(0);
     for (const VertexId site : diagram_.sites.ids()) {
       cut_out(site);
-      if (polygon_.size() >= 3) add_corners(site);
+      if (polygon_.size() >= 3)
+        add_corners(site);
+      else
+        add_vertices(site);
       // Scaled back in two steps: twice the exponent may be beyond what one power of two holds.
       const double area = polygon_.size() < 3 ? 0 : 0.5 * std::max(0.0, twice_area(polygon_));
       result_.area.push_back(std::scalbn(std::scalbn(area, -exponent_), -exponent_));
@@ -138,12 +141,32 @@ class Clipper {
     for (std::size_t i = 0; i < polygon_.size(); ++i) {
       const std::size_t before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1].line, after = polygon_[i].line;
       places_of(site, before, after, scaled(origin + polygon_[i].at, -exponent_));
-      for (const Point2 corner : places_)
-        if (result_.corners.size() == first || result_.corners.back() != corner) result_.corners.push_back(corner);
+      result_.corners.insert(result_.corners.end(), places_.begin(), places_.end());
     }
-    while (result_.corners.size() > first + 1 && result_.corners.back() == result_.corners[first])
-      result_.corners.pop_back();
-    if (result_.corners.size() < first + 3) result_.corners.resize(first);  // thinner than doubles tell
+    drop_repeated(first);
+  }
+
+  /// The corners of a cell in the window that is smaller than the rounding of its neighbours' places.
+  void add_vertices(VertexId site) {
+    if (diagram_.is_unbounded(site)) return;
+    const std::vector<VoronoiVertexId> corners = diagram_.cell_vertices(site);
+    if (!std::all_of(corners.begin(), corners.end(), [&](VoronoiVertexId v) { return in_window(diagram_.vertices[v]); }))
+      return;
+    const std::size_t first = result_.corners.size();
+    for (const VoronoiVertexId v : corners) result_.corners.push_back(diagram_.vertices[v].at);
+    drop_repeated(first);
+  }
+
+  /// Of corners at one place one stays; a cell that is thinner than doubles tell keeps them all, so that it has a place.
+  void drop_repeated(std::size_t first) {
+    auto& corners = result_.corners;
+    const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
+    shared_.assign(begin, corners.end());
+    shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
+    while (shared_.size() > 1 && shared_.back() == shared_.front()) shared_.pop_back();
+    if (shared_.size() < 3) return;
+    corners.resize(first);
+    corners.insert(corners.end(), shared_.begin(), shared_.end());
   }
 
   /// Where the line `before` meets the line `after`, into places_; several vertices of the diagram where edges between them are
@@ -164,7 +187,11 @@ class Clipper {
       places_ = std::move(chain);
     } else {
       const VoronoiEdgeId edge = cell[std::max(before, after) - sides];
-      places_[0] = crossings_.emplace(std::pair(edge, std::min(before, after)), rounded).first->second;
+      const std::size_t side = std::min(before, after);
+      const Point2 a = window_[side], b = window_[(side + 1) % sides];
+      if (a.x == b.x) rounded.x = a.x;
+      if (a.y == b.y) rounded.y = a.y;
+      places_[0] = crossings_.emplace(std::pair(edge, side), rounded).first->second;
     }
   }
 
@@ -180,7 +207,7 @@ class Clipper {
   std::vector<Point2> small_window_;
   std::vector<CutCorner> polygon_, room_;  ///< of the cell in hand, scaled, about its site
   std::map<std::pair<VoronoiEdgeId, std::size_t>, Point2> crossings_;  ///< of edges with sides of the window
-  std::vector<Point2> places_;
+  std::vector<Point2> places_, shared_;
   ClippedVoronoi result_;
 };
 
