@@ -107,14 +107,19 @@ EdgeTable read_table(io::TextScanner& scan, std::string_view text) {
   EdgeFields split(text);
   std::optional<EdgeColumns> columns;
   bool named = false;
+  std::vector<std::string> words;  // of a first line: a header, or names of vertices if they come again
+  std::uint32_t words_line = 0;
   for (bool first = true; scan.next_line(); first = false) {
     const std::vector<std::string>& fields = split.split(scan.rest());
     if (first && is_header(scan)) {
       columns = named_columns(fields);
       named = columns.has_value();
       if (named || fields.size() < 2 || fields[0] == "#") continue;
-      if (std::ranges::none_of(fields, [](const std::string& f) { return f.find_first_of("0123456789") != f.npos; }))
+      if (std::ranges::none_of(fields, [](const std::string& f) { return f.find_first_of("0123456789") != f.npos; })) {
+        words = fields;
+        words_line = static_cast<std::uint32_t>(scan.line());
         continue;
+      }
     }
     if (!columns)
       columns = EdgeColumns{0, 1, fields.size() > 2 ? std::optional<std::size_t>(2) : std::nullopt,
@@ -135,6 +140,13 @@ EdgeTable read_table(io::TextScanner& scan, std::string_view text) {
                   " where an edge's weight, as on the first line was expected");
       table.weights.push_back(weight);
     }
+  }
+  const auto comes_again = [&](const std::array<std::string, 2>& ends) {
+    return std::ranges::count(words, ends[0]) + std::ranges::count(words, ends[1]) > 0;
+  };
+  if (words.size() == 2 && table.weights.empty() && std::ranges::any_of(table.ends, comes_again)) {
+    table.ends.insert(table.ends.begin(), {words[0], words[1]});
+    table.lines.insert(table.lines.begin(), words_line);
   }
   if (table.ends.empty()) scan.fail("no edge was found", "give one edge a line, its two vertices");
   return table;

@@ -155,6 +155,16 @@ TEST_CASE("edge_lists_are_read_with_headers_commas_and_weights") {
   CHECK(parse_edge_list("1 2\n2 3\n", "t").warnings.size() == 1);
 }
 
+TEST_CASE("vertices_of_edge_lists_may_have_names_and_matrices_may_be_dense") {
+  const GraphFile named = parse_edge_list("Rome,Paris\nParis,Oslo\n", "t");
+  CHECK(vertex_count(named.graph) == 3);
+  CHECK(row(named.graph, 1) == std::vector<std::uint32_t>{0, 2});
+  const GraphFile dense =
+      parse_matrix_market("%%MatrixMarket matrix array real general\n2 2\n1\n2\n2\n0\n", "t");
+  CHECK(vertex_count(dense.graph) == 2);
+  CHECK(row(dense.graph, 0) == std::vector<std::uint32_t>{1});
+}
+
 TEST_CASE("bad_edge_lists_are_refused_with_their_line") {
   refuse({{"# nothing\n", "no edge was found"},
           {"0 1\n1\n", "t:2: line ends where a vertex"},
