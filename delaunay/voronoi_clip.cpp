@@ -120,7 +120,8 @@ class Clipper {
       if (polygon_.empty()) return;
       const Vec2 neighbour = scaled(diagram_.sites[diagram_.across(cell[k], site)], exponent_) - origin;
       if (neighbour != Vec2{})
-        cut_by_bisector(polygon_, neighbour, window_.size() + k, room_);  // zero: lost beside the largest number
+        cut_by_bisector(polygon_, neighbour, window_.size() + k,
+                        room_);  // zero: lost beside the largest number
     }
     // Of corners at one place the last one stays, whose side goes on.
     std::vector<CutCorner>& corners = room_;
@@ -139,7 +140,8 @@ class Clipper {
     const Point2 origin = scaled(diagram_.sites[site], exponent_);
     const std::size_t first = result_.corners.size();
     for (std::size_t i = 0; i < polygon_.size(); ++i) {
-      const std::size_t before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1].line, after = polygon_[i].line;
+      const std::size_t before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1].line,
+                        after = polygon_[i].line;
       places_of(site, before, after, scaled(origin + polygon_[i].at, -exponent_));
       result_.corners.insert(result_.corners.end(), places_.begin(), places_.end());
     }
@@ -150,7 +152,8 @@ class Clipper {
   void add_vertices(VertexId site) {
     if (diagram_.is_unbounded(site)) return;
     const std::vector<VoronoiVertexId> corners = diagram_.cell_vertices(site);
-    if (!std::all_of(corners.begin(), corners.end(), [&](VoronoiVertexId v) { return in_window(diagram_.vertices[v]); }))
+    if (!std::all_of(corners.begin(), corners.end(),
+                     [&](VoronoiVertexId v) { return in_window(diagram_.vertices[v]); }))
       return;
     const std::size_t first = result_.corners.size();
     for (const VoronoiVertexId v : corners) result_.corners.push_back(diagram_.vertices[v].at);

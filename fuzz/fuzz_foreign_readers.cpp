@@ -30,12 +30,14 @@ namespace {
 
 template <int Dim>
 void check_file(const MixedMeshFile<Dim>& file, std::string_view text) {
-  if (const auto broken = mesh::validate(file.mesh)) report("a reader returned an invalid mesh: " + *broken, text);
+  if (const auto broken = mesh::validate(file.mesh))
+    report("a reader returned an invalid mesh: " + *broken, text);
   for (const PointField& field : file.point_fields)
     if (field.values.size() != field.components * file.mesh.vertex_count())
       report("a field does not fit the vertices", text);
   for (const CellField& field : file.cell_fields)
-    if (field.values.size() != field.components * file.mesh.cell_count()) report("a field does not fit the cells", text);
+    if (field.values.size() != field.components * file.mesh.cell_count())
+      report("a field does not fit the cells", text);
   if (io::parse_mixed_vtu<Dim>(io::format_vtu(file.mesh), "again").mesh != file.mesh)
     report("a mesh changed on its way through .vtu", text);
 }
@@ -46,7 +48,8 @@ void try_soup(io::MeshSoup<Dim> soup, std::string_view text) {
   if (text.size() % 3 == 0) options.weld = text.size() % 2 == 0 ? 0 : 0.3;
   try {
     const SimplexMeshFile<Dim> simplices = io::assemble_simplices(soup, options);
-    if (const auto broken = mesh::validate(simplices.mesh)) report("an invalid mesh of simplices: " + *broken, text);
+    if (const auto broken = mesh::validate(simplices.mesh))
+      report("an invalid mesh of simplices: " + *broken, text);
   } catch (const InputError&) {
   }
   check_file(io::assemble_mixed(std::move(soup), options), text);
@@ -84,7 +87,8 @@ void try_surface(SurfaceFile surface, std::string_view text) {
   if (account.polygons != surface.polygon_count() || account.open_edges > account.edges)
     report("an account of a surface does not add up", text);
   io::weld(surface, 0);
-  if (io::surface_account(surface).repeated_places > 0) report("vertices of equal places were not welded", text);
+  if (io::surface_account(surface).repeated_places > 0)
+    report("vertices of equal places were not welded", text);
 }
 
 void try_airfoils(const std::string& text) {
@@ -96,7 +100,8 @@ void try_airfoils(const std::string& text) {
 }
 
 void check_graph(const graph::GraphFile& file, std::string_view text) {
-  if (const auto broken = graph::validate(file.graph)) report("a reader returned an invalid graph: " + *broken, text);
+  if (const auto broken = graph::validate(file.graph))
+    report("a reader returned an invalid graph: " + *broken, text);
 }
 
 std::string file(const std::string& name) {
@@ -112,8 +117,8 @@ std::vector<fuzzing::Format> formats() {
   add({"opposite_loops.msh", "save_all.msh", "parametric.msh", "several_groups.msh", "version_1.msh",
        "version_4_0.msh", "partitioned.msh", "second_order.msh"},
       try_gmsh);
-  add({"lagrange.vtu", "two_pieces.vtu", "apart.vtu", "orphan.vtu", "quadratic.vtu", "voxel.vtu", "pixel_strip.vtu",
-       "groups.vtu", "sorted_corners.vtu"},
+  add({"lagrange.vtu", "two_pieces.vtu", "apart.vtu", "orphan.vtu", "quadratic.vtu", "voxel.vtu",
+       "pixel_strip.vtu", "groups.vtu", "sorted_corners.vtu"},
       try_vtu);
   add({"legacy.vtk", "legacy_5.vtk"}, try_legacy);
   add({"inner_marker.su2", "z_column.su2", "no_markers.su2", "halo.su2", "two_zones.su2"}, try_su2);
@@ -121,8 +126,8 @@ std::vector<fuzzing::Format> formats() {
   add({"coloured.stl"}, [](Text text) { try_surface(io::parse_stl(text, "fuzz"), text); });
   add({"glued.off"}, [](Text text) { try_surface(io::parse_off(text, "fuzz"), text); });
   add({"continued.obj"}, [](Text text) { try_surface(io::parse_obj(text, "fuzz"), text); });
-  add({"repeated.dat", "numeric_name.dat", "three_columns.dat", "fortran.dat", "semicolons.dat", "two_elements.dat",
-       "without_counts.dat", "thick_base.dat"},
+  add({"repeated.dat", "numeric_name.dat", "three_columns.dat", "fortran.dat", "semicolons.dat",
+       "two_elements.dat", "without_counts.dat", "thick_base.dat"},
       try_airfoils);
   add({"table.csv", "named.csv"}, [](Text text) { check_graph(graph::parse_edge_list(text, "fuzz"), text); });
   add({"constraints.graph"}, [](Text text) { check_graph(graph::parse_metis_graph(text, "fuzz"), text); });

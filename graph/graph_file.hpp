@@ -20,7 +20,7 @@ namespace leonhard::graph {
 struct GraphFile {
   CsrGraph graph{};
 
-  std::uint32_t weights_each{};              ///< weights of a vertex: 0 where the file gives none
+  std::uint32_t weights_each{};                ///< weights of a vertex: 0 where the file gives none
   std::vector<std::int64_t> vertex_weights{};  ///< weights_each a vertex, vertex after vertex
   std::vector<std::int64_t> edge_weights{};    ///< one a directed edge in the graph's order, or empty
 

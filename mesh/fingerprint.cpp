@@ -61,13 +61,13 @@ Fingerprint fingerprint_of(const Points& points, std::size_t count, CornersOf co
 
 Fingerprint fingerprint(const TriangleMesh& mesh) {
   require_corners_in_range(mesh);
-  return fingerprint_of(mesh.points, mesh.cell_count(),
-                        [&](std::size_t i) -> const auto& { return mesh.corners.flat()[i]; });
+  return fingerprint_of(
+      mesh.points, mesh.cell_count(), [&](std::size_t i) -> const auto& { return mesh.corners.flat()[i]; });
 }
 Fingerprint fingerprint(const TetMesh& mesh) {
   require_corners_in_range(mesh);
-  return fingerprint_of(mesh.points, mesh.cell_count(),
-                        [&](std::size_t i) -> const auto& { return mesh.corners.flat()[i]; });
+  return fingerprint_of(
+      mesh.points, mesh.cell_count(), [&](std::size_t i) -> const auto& { return mesh.corners.flat()[i]; });
 }
 Fingerprint fingerprint(const MixedMesh<2>& mesh) {
   require_ids_in_range(mesh);

@@ -14,7 +14,7 @@
 
 namespace leonhard::app {
 
-enum class TrailingEdge { sharp, open, closed };  ///< body.trailing_edge, see geometry/naca4.hpp
+enum class TrailingEdge { sharp, open, closed };         ///< body.trailing_edge, see geometry/naca4.hpp
 enum class OrderChoice { reverse_cuthill_mckee, none };  ///< order.method
 
 /// One [[body]]. Lengths called "chords" are multiples of [reference] length.

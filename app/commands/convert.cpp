@@ -42,13 +42,13 @@ void check_output(const ConvertOptions& options, const AnyMeshFile& file) {
   const AnyMeshFile triangles{TriangleMesh{}, {}, {}, {}}, tets{TetMesh{}, {}, {}, {}};
   if (mixed && knows(io::any_mesh_output_extensions(plane ? triangles : tets)))
     throw InputError(options.out,
-                     extension + " files hold " + (plane ? "triangles" : "tetrahedra") + " alone, and " + options.in +
-                         " has other cells",
+                     extension + " files hold " + (plane ? "triangles" : "tetrahedra") + " alone, and " +
+                         options.in + " has other cells",
                      "add --split, or use one of " + list_of(own));
   if (knows(io::any_mesh_output_extensions(plane ? tets : triangles)))
     throw InputError(options.out,
-                     extension + " is written for meshes of " + (plane ? "space" : "the plane") + " only, and " +
-                         options.in + " is one of " + (plane ? "the plane" : "space"),
+                     extension + " is written for meshes of " + (plane ? "space" : "the plane") +
+                         " only, and " + options.in + " is one of " + (plane ? "the plane" : "space"),
                      "use one of " + list_of(own));
 }
 
@@ -66,7 +66,8 @@ ExitCode convert(const ConvertOptions& options) {
   AnyMeshFile file = io::read_any_mesh(options.in, options.reading.options());
   check_output(options, file);
   if (options.renumber)
-    if (const std::string changed = io::renumber_markers(file); !changed.empty()) file.warnings.push_back(changed);
+    if (const std::string changed = io::renumber_markers(file); !changed.empty())
+      file.warnings.push_back(changed);
   if (const std::string lost = io::left_behind(options.out, file); !lost.empty())
     file.warnings.push_back(io::small_extension(options.out) +
                             " files have no place for these, which were left behind: " + lost);
@@ -97,17 +98,18 @@ Command convert_command() {
   Command command{
       .name = "convert",
       .help = "Read a mesh of the plane or of space in one format, write it in another; both by extension",
-      .options = {{"in", "Mesh to read", &options->in, true},
-                  {"out", "Mesh to write", &options->out, true},
-                  {"--renumber-markers",
-                   "Positive whole numbers in place of negative markers and regions, for formats without signs",
-                   &options->renumber},
-                  {.names = "--msh-version",
-                   .help = "Of a .msh to write",
-                   .target = &options->msh_version,
-                   .shows_default = true,
-                   .choices = {"2.2", "4.1"}},
-                  {"--binary", "Write a .msh in binary", &options->binary}},
+      .options =
+          {{"in", "Mesh to read", &options->in, true},
+           {"out", "Mesh to write", &options->out, true},
+           {"--renumber-markers",
+            "Positive whole numbers in place of negative markers and regions, for formats without signs",
+            &options->renumber},
+           {.names = "--msh-version",
+            .help = "Of a .msh to write",
+            .target = &options->msh_version,
+            .shows_default = true,
+            .choices = {"2.2", "4.1"}},
+           {"--binary", "Write a .msh in binary", &options->binary}},
       .run = [options] { return convert(*options); }};
   add_read_options(command, options->reading);
   command.options.push_back({"--quiet", "No warnings about the file's oddities", &options->common.quiet});

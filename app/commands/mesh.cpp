@@ -89,8 +89,9 @@ void add_bodies(const MeshOptions& options, const std::filesystem::path& file, M
   input.the_case.reference.length = options.chord > 0 ? options.chord : found;
   constexpr double about_one = 0.1;
   if (options.chord == 0 && std::abs(found - 1) > about_one)
-    input.warnings.push_back(fmt::format("the chord is {:.6g}{}; lengths given in chords count in it (--chord)",
-                                         found, std::abs(found - 100) < 1 ? ", percent of a chord" : ""));
+    input.warnings.push_back(
+        fmt::format("the chord is {:.6g}{}; lengths given in chords count in it (--chord)", found,
+                    std::abs(found - 100) < 1 ? ", percent of a chord" : ""));
   constexpr double least_edges = 48;  // of the far field, as a case has them
   FarFieldCase& farfield = input.the_case.farfield;
   farfield.spacing = farfield.distance * std::min(options.mesher.growth, 2 * std::numbers::pi / least_edges);
@@ -107,7 +108,8 @@ MeshInput read_geometry(const MeshOptions& options) {
   std::vector<std::string> known = any_geometry_extensions();
   known.push_back(".dat");
   const std::string extension = io::known_extension(file, known, "geometry");
-  const bool is_columns = extension == ".xy" || extension == ".xyz" || extension == ".csv" || extension == ".txt";
+  const bool is_columns =
+      extension == ".xy" || extension == ".xyz" || extension == ".csv" || extension == ".txt";
   if (extension == ".dat" || (is_columns && looks_like_airfoil(file))) {
     if (extension != ".dat") input.warnings.push_back(file.string() + " was taken for an airfoil");
     add_bodies(options, file, input);
@@ -116,7 +118,8 @@ MeshInput read_geometry(const MeshOptions& options) {
   GeometryFile geometry = read_any_geometry(file);
   if (geometry.pslg.segments.empty()) {
     geometry = as_outline(std::move(geometry));
-    geometry.warnings.push_back(file.string() + " was taken for the outline of a domain, its points in order");
+    geometry.warnings.push_back(file.string() +
+                                " was taken for the outline of a domain, its points in order");
   }
   input.warnings = std::move(geometry.warnings);
   input.domain = std::move(geometry.pslg);
@@ -148,8 +151,8 @@ ExitCode mesh(const MeshOptions& options) {
     json["peak_memory_bytes"] = peak_memory_bytes();
     fmt::print("{}\n", json.text());
   } else {
-    fmt::print("{}{:<14}{}, {} points inserted\n", text_of(report), "refinement", to_string(meshed.report.outcome),
-               grouped(meshed.report.inserted));
+    fmt::print("{}{:<14}{}, {} points inserted\n", text_of(report), "refinement",
+               to_string(meshed.report.outcome), grouped(meshed.report.inserted));
   }
   switch (meshed.report.outcome) {
     case delaunay::RefineOutcome::achieved:
@@ -171,46 +174,49 @@ Command mesh_command() {
   Command command{
       .name = "mesh",
       .help = "A quality mesh of a planar straight-line graph or about an airfoil",
-      .options = {{"geometry", "A domain (.poly .wkt .geojson), its outline (.xy .csv .txt) or airfoil coordinates (.dat)", &options->geometry, true},
-                  {.names = "--min-angle",
-                   .help = "No angle below this, degrees",
-                   .target = &options->mesher.min_angle_deg,
-                   .shows_default = true,
-                   .range = OptionRange{0, 34}},
-                  {.names = "--size",
-                   .help = "Largest edge length",
-                   .target = &options->size,
-                   .rule = OptionRule::positive},
-                  {.names = "--max-area",
-                   .help = "Largest triangle",
-                   .target = &options->max_area,
-                   .rule = OptionRule::positive},
-                  {.names = "--max-vertices",
-                   .help = "Stop at this many vertices",
-                   .target = &options->mesher.max_vertices,
-                   .shows_default = true},
-                  {"--convex-hull",
-                   "Domains: keep the convex hull, carving holes only; otherwise all outside the segments goes",
-                   &options->convex_hull},
-                  {.names = "--growth",
-                   .help = "Airfoils: growth of the edge length per unit of distance",
-                   .target = &options->mesher.growth,
-                   .shows_default = true,
-                   .range = OptionRange{0, 10}},
-                  {.names = "--spacing",
-                   .help = "Airfoils: edge length on the body, chords",
-                   .target = &options->body.spacing,
-                   .shows_default = true,
-                   .rule = OptionRule::positive},
-                  {.names = "--chord",
-                   .help = "Airfoils: the length of a chord; otherwise the longest element's extent along x",
-                   .target = &options->chord,
-                   .rule = OptionRule::positive},
-                  {.names = "--distance",
-                   .help = "Airfoils: radius of the far field, chords",
-                   .target = &options->farfield.distance,
-                   .shows_default = true,
-                   .rule = OptionRule::positive}},
+      .options =
+          {{"geometry",
+            "A domain (.poly .wkt .geojson), its outline (.xy .csv .txt) or airfoil coordinates (.dat)",
+            &options->geometry, true},
+           {.names = "--min-angle",
+            .help = "No angle below this, degrees",
+            .target = &options->mesher.min_angle_deg,
+            .shows_default = true,
+            .range = OptionRange{0, 34}},
+           {.names = "--size",
+            .help = "Largest edge length",
+            .target = &options->size,
+            .rule = OptionRule::positive},
+           {.names = "--max-area",
+            .help = "Largest triangle",
+            .target = &options->max_area,
+            .rule = OptionRule::positive},
+           {.names = "--max-vertices",
+            .help = "Stop at this many vertices",
+            .target = &options->mesher.max_vertices,
+            .shows_default = true},
+           {"--convex-hull",
+            "Domains: keep the convex hull, carving holes only; otherwise all outside the segments goes",
+            &options->convex_hull},
+           {.names = "--growth",
+            .help = "Airfoils: growth of the edge length per unit of distance",
+            .target = &options->mesher.growth,
+            .shows_default = true,
+            .range = OptionRange{0, 10}},
+           {.names = "--spacing",
+            .help = "Airfoils: edge length on the body, chords",
+            .target = &options->body.spacing,
+            .shows_default = true,
+            .rule = OptionRule::positive},
+           {.names = "--chord",
+            .help = "Airfoils: the length of a chord; otherwise the longest element's extent along x",
+            .target = &options->chord,
+            .rule = OptionRule::positive},
+           {.names = "--distance",
+            .help = "Airfoils: radius of the far field, chords",
+            .target = &options->farfield.distance,
+            .shows_default = true,
+            .rule = OptionRule::positive}},
       .run = [options] { return mesh(*options); }};
   add_common_options(command, options->common,
                      "The mesh file; its extension is its format (default mesh.su2)");

@@ -164,7 +164,8 @@ void check_output(const OrderCommand& command, const AnyGraph& input) {
                      "write the cells' order as .txt or their graph as .graph");
 }
 
-void write_output(const std::filesystem::path& path, AnyGraph& input, const std::vector<std::uint32_t>& order) {
+void write_output(const std::filesystem::path& path, AnyGraph& input,
+                  const std::vector<std::uint32_t>& order) {
   const std::string extension = io::known_extension(path, output_extensions(input), "output");
   if (extension == ".txt") return io::write_file_atomically(path, order_text(order));
   if (extension == ".graph") return graph::write_graph(path, renumbered_graph(input.graph, order));

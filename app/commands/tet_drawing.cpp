@@ -39,7 +39,8 @@ void draw_tets(const TetDrawing& drawing, const TetMesh& mesh) {
   parse_cut(drawing.cut, draw::box_of(mesh), options);
 
   if (!drawing.field.empty())
-    return draw::draw_tet_field(drawing.picture, mesh, drawing.field_values, {.label = drawing.field}, options);
+    return draw::draw_tet_field(drawing.picture, mesh, drawing.field_values, {.label = drawing.field},
+                                options);
   if (drawing.what == "partition") {
     const auto parts =
         graph::recursive_spectral_bisection(graph::dual_graph(mesh), drawing.parts, drawing.seed);

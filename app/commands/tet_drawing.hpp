@@ -14,12 +14,12 @@ namespace leonhard::app {
 /// What `leonhard draw` is asked for, as words, where the mesh is of space.
 struct TetDrawing {
   std::string picture;
-  std::string what = "mesh";  ///< mesh, markers, regions, quality, partition
-  std::string field;          ///< name of a point field in place of `what`
+  std::string what = "mesh";           ///< mesh, markers, regions, quality, partition
+  std::string field;                   ///< name of a point field in place of `what`
   std::vector<double> field_values{};  ///< one a vertex
-  std::string cut;            ///< as parse_cut takes it
-  bool section = false;       ///< cut tetrahedra in two, not around
-  std::vector<double> view;   ///< none, or azimuth and elevation, degrees
+  std::string cut;                     ///< as parse_cut takes it
+  bool section = false;                ///< cut tetrahedra in two, not around
+  std::vector<double> view;            ///< none, or azimuth and elevation, degrees
   double perspective_deg = 0;
   std::array<int, 2> size{1600, 1000};
   std::string title;

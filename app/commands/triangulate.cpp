@@ -74,7 +74,8 @@ ExitCode triangulate(const TriangulateCommand& command) {
     timer.lap("write");
   }
   if (command.common.json) {
-    Json json{{"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
+    Json json{
+        {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
     json.update(to_json(account));
     json["words"] = words.empty() ? Json() : Json(words);
     if (report) {
@@ -107,8 +108,8 @@ Command triangulate_command() {
   Command command{
       .name = "triangulate",
       .help = "The Delaunay triangulation of points, constrained where there are segments",
-      .options = {{"points", "Points (.node .xy .csv .txt .json) or a PSLG (.poly .wkt .geojson)", &options->input,
-                   true},
+      .options = {{"points", "Points (.node .xy .csv .txt .json) or a PSLG (.poly .wkt .geojson)",
+                   &options->input, true},
                   {.names = "--algorithm",
                    .help = "The way to the triangulation, which is the same for all",
                    .target = &options->algorithm,

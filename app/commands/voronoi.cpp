@@ -205,9 +205,9 @@ Command voronoi_command() {
                    .shows_default = true},
                   {"--title", "Title of the picture", &options->title}},
       .run = [options] { return voronoi(*options); }};
-  add_common_options(
-      command, options->common,
-      "A picture (.png .svg .pdf), or the clipped cells with areas (.vtu .json .geojson); default voronoi.png");
+  add_common_options(command, options->common,
+                     "A picture (.png .svg .pdf), or the clipped cells with areas (.vtu .json .geojson); "
+                     "default voronoi.png");
   return command;
 }
 

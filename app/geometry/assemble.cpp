@@ -49,7 +49,8 @@ AirfoilCoordinates element_of(const BodyCase& body) {
   if (body.element == 0) return io::read_airfoil(body.file);
   std::vector<AirfoilCoordinates> elements = io::read_airfoils(body.file);
   if (body.element > elements.size())
-    throw InputError(body.file.string(), fmt::format("the file has no element {}", body.element), "it has fewer");
+    throw InputError(body.file.string(), fmt::format("the file has no element {}", body.element),
+                     "it has fewer");
   return std::move(elements[body.element - 1]);
 }
 

@@ -32,8 +32,10 @@ GeometryFile geometry_of(PlanarShapes&& shapes, const std::string& source) {
     add_segments(file.pslg, line.first, line.end, line.closed);
     if (!line.hole) continue;
     const auto begin = file.pslg.points.begin();
-    NamedOutline hole{fmt::format("hole {}", file.pslg.holes.size() + 1), source,
-                      {begin + static_cast<std::ptrdiff_t>(line.first), begin + static_cast<std::ptrdiff_t>(line.end)}};
+    NamedOutline hole{
+        fmt::format("hole {}", file.pslg.holes.size() + 1),
+        source,
+        {begin + static_cast<std::ptrdiff_t>(line.first), begin + static_cast<std::ptrdiff_t>(line.end)}};
     check_outline(hole);
     file.pslg.holes.push_back(point_inside(hole));
   }
@@ -70,7 +72,8 @@ GeometryFile read_any_geometry(const std::filesystem::path& path) {
     file.pslg = io::read_pslg(path, file.warnings);
     return file;
   }
-  if (extension == ".wkt") return geometry_of(parse_wkt(io::read_whole_file(path), path.string()), path.string());
+  if (extension == ".wkt")
+    return geometry_of(parse_wkt(io::read_whole_file(path), path.string()), path.string());
   if (extension == ".json" || extension == ".geojson")
     return geometry_of(parse_shapes_json(io::read_whole_file(path), path.string()), path.string());
   return geometry_of_points(path);

@@ -23,7 +23,8 @@ std::string extension_of(const std::filesystem::path& output) {
 }
 
 /// The file's mesh and fields, and the parts as the field `part` of vertices or of cells.
-void write_grid(const std::filesystem::path& path, AnyMeshFile& file, GraphOf which, const Partition& partition) {
+void write_grid(const std::filesystem::path& path, AnyMeshFile& file, GraphOf which,
+                const Partition& partition) {
   const auto add = [&](auto& fields) {
     std::erase_if(fields, [](const auto& field) { return field.name == "part"; });
     fields.push_back({"part", 1, {partition.part_of.begin(), partition.part_of.end()}});

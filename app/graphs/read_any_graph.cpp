@@ -42,8 +42,7 @@ void simplify_weights(graph::GraphFile& file, const std::string& source) {
     const auto zeros = std::ranges::count(*some, 0);
     if (zeros == 0) continue;
     for (std::int64_t& weight : *some) weight = weight == 0 ? 1 : factor * weight;
-    file.warnings.push_back(
-        fmt::format("{}: {} weights of 0 count as a thousandth of 1", source, zeros));
+    file.warnings.push_back(fmt::format("{}: {} weights of 0 count as a thousandth of 1", source, zeros));
   }
 }
 

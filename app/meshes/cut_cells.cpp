@@ -24,8 +24,8 @@ std::vector<std::size_t> cut(AnyMeshFile& file, const MixedMesh<Dim>& mesh) {
     field.values = std::move(values);
   }
   const std::size_t whole = mesh.count_of(simplex_kind<Dim>);
-  file.warnings.push_back(fmt::format("{} cells are drawn cut into {}", grouped(mesh.cell_count() - whole),
-                                      Simplex<Dim>::cells));
+  file.warnings.push_back(
+      fmt::format("{} cells are drawn cut into {}", grouped(mesh.cell_count() - whole), Simplex<Dim>::cells));
   file.mesh = std::move(split.mesh);
   return cell_of;
 }

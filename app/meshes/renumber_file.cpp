@@ -31,7 +31,9 @@ AnyMeshFile renumbered(const AnyMeshFile& file, const std::vector<std::uint32_t>
   return std::visit(
       [&](const auto& mesh) {
         auto result = mesh::renumber(mesh, new_of_old);
-        return AnyMeshFile{std::move(result.mesh), {}, permuted(file.point_fields, new_of_old),
+        return AnyMeshFile{std::move(result.mesh),
+                           {},
+                           permuted(file.point_fields, new_of_old),
                            permuted(file.cell_fields, result.new_cell)};
       },
       file.mesh);

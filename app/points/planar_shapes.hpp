@@ -15,8 +15,9 @@ namespace leonhard::app {
 struct PlanarShapes {
   struct Line {
     std::size_t first, end;  ///< of the points, end excluded
-    bool closed = false;     ///< a ring of a polygon: the last point is joined to the first, which does not come again
-    bool hole = false;       ///< the ring bounds a hole of its polygon
+    bool closed =
+        false;  ///< a ring of a polygon: the last point is joined to the first, which does not come again
+    bool hole = false;  ///< the ring bounds a hole of its polygon
   };
 
   PointsFile points;

@@ -19,9 +19,9 @@ struct WktGeometry {
   bool lines, rings;
 };
 constexpr std::array wkt_geometries{
-    WktGeometry{"POINT", 1, false, false},          WktGeometry{"MULTIPOINT", 2, false, false},
-    WktGeometry{"LINESTRING", 1, true, false},      WktGeometry{"MULTILINESTRING", 2, true, false},
-    WktGeometry{"POLYGON", 2, true, true},          WktGeometry{"MULTIPOLYGON", 3, true, true},
+    WktGeometry{"POINT", 1, false, false},     WktGeometry{"MULTIPOINT", 2, false, false},
+    WktGeometry{"LINESTRING", 1, true, false}, WktGeometry{"MULTILINESTRING", 2, true, false},
+    WktGeometry{"POLYGON", 2, true, true},     WktGeometry{"MULTIPOLYGON", 3, true, true},
     WktGeometry{"TRIANGLE", 2, true, true}};
 
 class WktParser {
@@ -38,7 +38,8 @@ class WktParser {
         read_geometry();
       }
     }
-    if (shapes_.points.set.points.empty()) fail("no point was found", "give POLYGON ((0 0, 1 0, 0 1, 0 0)) or the like");
+    if (shapes_.points.set.points.empty())
+      fail("no point was found", "give POLYGON ((0 0, 1 0, 0 1, 0 0)) or the like");
     if (heights_ > 0)
       shapes_.points.warnings.push_back(source_ + ": the heights of " + std::to_string(heights_) +
                                         " points were left out");
@@ -47,7 +48,9 @@ class WktParser {
 
  private:
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size())), '\n');
+    const auto line =
+        1 + std::count(text_.begin(),
+                       text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size())), '\n');
     throw InputError(at_line(source_, static_cast<std::size_t>(line)), problem, remedy);
   }
 
@@ -60,8 +63,9 @@ class WktParser {
   }
   void expect(char c) {
     if (!at(c))
-      fail(at_ < text_.size() ? "found " + io::in_quotes(text_.substr(at_, 1)) + " where " + c + " was expected"
-                              : std::string("the text ends where ") + c + " was expected",
+      fail(at_ < text_.size()
+               ? "found " + io::in_quotes(text_.substr(at_, 1)) + " where " + c + " was expected"
+               : std::string("the text ends where ") + c + " was expected",
            "brackets do not match, or the text was cut short");
     ++at_;
   }
@@ -121,7 +125,8 @@ class WktParser {
       read_position();
     } while (at(',') && ++at_ > 0);
     expect(')');
-    if (geometry.rings && points.size() > line.first + 1 && points.back() == points[line.first]) points.pop_back();
+    if (geometry.rings && points.size() > line.first + 1 && points.back() == points[line.first])
+      points.pop_back();
     line.end = points.size();
     if (geometry.lines) shapes_.lines.push_back(line);
   }
@@ -155,6 +160,8 @@ class WktParser {
 
 }  // namespace
 
-PlanarShapes parse_wkt(std::string_view text, const std::string& source) { return WktParser(text, source).parse(); }
+PlanarShapes parse_wkt(std::string_view text, const std::string& source) {
+  return WktParser(text, source).parse();
+}
 
 }  // namespace leonhard::app

@@ -93,12 +93,11 @@ void write_cells_geojson(const std::filesystem::path& path, const delaunay::Voro
     const Point2 first = cells.cell(site).front();
     ring.push_back(Json::array({first.x, first.y}));
     const Json feature{{"type", "Feature"},
-                       {"properties",
-                        Json{{"site", site.index()},
-                             {"x", diagram.sites[site].x},
-                             {"y", diagram.sites[site].y},
-                             {"area", cells.area[site]},
-                             {"unbounded", diagram.is_unbounded(site)}}},
+                       {"properties", Json{{"site", site.index()},
+                                           {"x", diagram.sites[site].x},
+                                           {"y", diagram.sites[site].y},
+                                           {"area", cells.area[site]},
+                                           {"unbounded", diagram.is_unbounded(site)}}},
                        {"geometry", Json{{"type", "Polygon"}, {"coordinates", Json::array({ring})}}}};
     if (text.back() != '[') text += ',';
     text += feature.line();

@@ -38,12 +38,9 @@ std::vector<BoundaryFacets> boundary_facets_by_marker(const MeshDual<Dim>& dual)
 Json account_of_mixed(const MixedEulerAccount& account) {
   Json formulas = Json::array();
   for (const auto& formula : account.formulas) formulas.push_back(to_json(formula));
-  return {{"balances", account.balances()},
-          {"components", account.components},
-          {"cavities", account.cavities},
-          {"handles", account.handles},
-          {"shells", account.shells},
-          {"formulas", formulas}};
+  return {{"balances", account.balances()}, {"components", account.components},
+          {"cavities", account.cavities},   {"handles", account.handles},
+          {"shells", account.shells},       {"formulas", formulas}};
 }
 
 }  // namespace
@@ -117,8 +114,9 @@ std::string text_of(const MixedReport& report) {
   line(plane ? "area" : "volume", fmt::format("{:.15g}", report.size));
   line("control", fmt::format("volumes of vertices from {:.6g}", report.smallest_volume));
   for (const BoundaryFacets& part : report.boundary)
-    line("boundary", fmt::format("{} (marker {}): {} {}, {} {:.6g}", part.name, part.marker, grouped(part.facets),
-                                 plane ? "edges" : "faces", plane ? "length" : "area", part.size));
+    line("boundary",
+         fmt::format("{} (marker {}): {} {}, {} {:.6g}", part.name, part.marker, grouped(part.facets),
+                     plane ? "edges" : "faces", plane ? "length" : "area", part.size));
   line("fingerprint", report.fingerprint.hex());
   return text;
 }

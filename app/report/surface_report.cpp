@@ -44,22 +44,26 @@ std::string text_of(const SurfaceAccount& account) {
   line("polygons", fmt::format("{}: {} triangles, {} quadrilaterals", grouped(account.polygons),
                                grouped(account.triangles), grouped(account.quadrilaterals)));
   line("closed", verdict(account.is_closed(), account.open_edges, "edges have one polygon only"));
-  line("manifold", verdict(account.is_manifold(), account.crowded_edges, "edges have more than two polygons"));
-  line("oriented", verdict(account.is_oriented(), account.unlike_edges, "edges have polygons that turn unlike"));
+  line("manifold",
+       verdict(account.is_manifold(), account.crowded_edges, "edges have more than two polygons"));
+  line("oriented",
+       verdict(account.is_oriented(), account.unlike_edges, "edges have polygons that turn unlike"));
   line("contacts", account.contacts == 0
                        ? std::string("none: it does not cross or touch itself")
                        : fmt::format("{} pairs of triangles meet beyond common corners and edges",
                                      grouped(account.contacts)));
   line("components", grouped(account.components));
-  if (account.degenerate > 0) line("degenerate", fmt::format("{} polygons without area", grouped(account.degenerate)));
-  if (account.unused_vertices > 0) line("unused", fmt::format("{} vertices", grouped(account.unused_vertices)));
+  if (account.degenerate > 0)
+    line("degenerate", fmt::format("{} polygons without area", grouped(account.degenerate)));
+  if (account.unused_vertices > 0)
+    line("unused", fmt::format("{} vertices", grouped(account.unused_vertices)));
   if (account.repeated_places > 0)
     line("repeated", fmt::format("{} vertices at the place of another one; --weld 0 joins them",
                                  grouped(account.repeated_places)));
   line("area", fmt::format("{:.15g}", account.area));
   if (account.is_closed() && account.is_oriented())
-    line("volume", fmt::format("{:.15g}{}", account.volume,
-                               account.volume < 0 ? ": its polygons turn inwards" : ""));
+    line("volume",
+         fmt::format("{:.15g}{}", account.volume, account.volume < 0 ? ": its polygons turn inwards" : ""));
   return text;
 }
 

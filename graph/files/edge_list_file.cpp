@@ -115,7 +115,8 @@ EdgeTable read_table(io::TextScanner& scan, std::string_view text) {
       columns = named_columns(fields);
       named = columns.has_value();
       if (named || fields.size() < 2 || fields[0] == "#") continue;
-      if (std::ranges::none_of(fields, [](const std::string& f) { return f.find_first_of("0123456789") != f.npos; })) {
+      if (std::ranges::none_of(
+              fields, [](const std::string& f) { return f.find_first_of("0123456789") != f.npos; })) {
         words = fields;
         words_line = static_cast<std::uint32_t>(scan.line());
         continue;
@@ -161,7 +162,8 @@ std::optional<std::int64_t> as_number(const std::string& word) {
 }
 
 /// Numbers from 0, or from 1 where none is 0; names in the order in which they first come.
-void number_ends(const EdgeTable& table, const std::string& source, detail::ListedGraph& listed, GraphFile& file) {
+void number_ends(const EdgeTable& table, const std::string& source, detail::ListedGraph& listed,
+                 GraphFile& file) {
   const auto is_named = [](const auto& ends) { return !as_number(ends[0]) || !as_number(ends[1]); };
   const auto name = std::ranges::find_if(table.ends, is_named);
   // One word among numbers is a mistake, not a name.
@@ -183,7 +185,8 @@ void number_ends(const EdgeTable& table, const std::string& source, detail::List
     if (named > 0) return number_of.emplace(end, static_cast<std::uint32_t>(number_of.size())).first->second;
     const std::int64_t number = *as_number(end);
     if (number < 0 || number >= std::numeric_limits<std::uint32_t>::max())
-      throw InputError(line(row), "vertex " + end + " is out of range", "number vertices from 0, below 2^32 - 1");
+      throw InputError(line(row), "vertex " + end + " is out of range",
+                       "number vertices from 0, below 2^32 - 1");
     return static_cast<std::uint32_t>(number - first);
   };
   for (std::size_t row = 0; row < table.ends.size(); ++row) {
@@ -193,12 +196,14 @@ void number_ends(const EdgeTable& table, const std::string& source, detail::List
   }
   file.first_number = static_cast<std::uint32_t>(first);
   if (named > 0)
-    file.warnings.push_back(source + ": vertices have names; they are numbered in the order in which these come");
+    file.warnings.push_back(source +
+                            ": vertices have names; they are numbered in the order in which these come");
   if (first == 1) file.warnings.push_back(source + ": no vertex has the number 0; numbers count from 1");
 }
 
 /// Whole weights as they are; others scaled, so that they keep six digits and more.
-void take_weights(const EdgeTable& table, const std::string& source, detail::ListedGraph& listed, GraphFile& file) {
+void take_weights(const EdgeTable& table, const std::string& source, detail::ListedGraph& listed,
+                  GraphFile& file) {
   const auto is_whole = [](double w) { return w == std::floor(w) && std::abs(w) < 0x1p53; };
   if (std::ranges::all_of(table.weights, is_whole)) {
     for (const double w : table.weights) listed.weights.push_back(static_cast<std::int64_t>(w));
@@ -216,8 +221,8 @@ void take_weights(const EdgeTable& table, const std::string& source, detail::Lis
   while (largest * factor >= 1e9) factor /= 10;
   for (const double w : table.weights)
     listed.weights.push_back(std::max<std::int64_t>(1, std::llround(w * factor)));
-  file.warnings.push_back(source + ": weights are no whole numbers; they were multiplied by " + mesh::words(factor) +
-                          " and rounded");
+  file.warnings.push_back(source + ": weights are no whole numbers; they were multiplied by " +
+                          mesh::words(factor) + " and rounded");
 }
 
 /// A stray large number would ask for memory beyond all measure.

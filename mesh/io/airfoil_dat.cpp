@@ -96,8 +96,8 @@ bool looks_like_point(TextScanner scan) {
   std::size_t words = 1;
   bool all_are_numbers = true;
   for (; !scan.line_done(); ++words)
-    all_are_numbers = all_are_numbers &&
-                      parse_coordinate(scan.word("a coordinate"), unused) != NumberFault::not_a_number;
+    all_are_numbers =
+        all_are_numbers && parse_coordinate(scan.word("a coordinate"), unused) != NumberFault::not_a_number;
   return all_are_numbers || (words == 2 && first.find('.') != std::string_view::npos);
 }
 
@@ -174,7 +174,8 @@ bool ends_meet(const std::vector<LocatedPoint>& points) {
 std::size_t lower_side_begins(const std::vector<LocatedPoint>& points) {
   std::size_t longest = 1;
   for (std::size_t i = 2; i < points.size(); ++i)
-    if (distance(points[i - 1].at, points[i].at) > distance(points[longest - 1].at, points[longest].at)) longest = i;
+    if (distance(points[i - 1].at, points[i].at) > distance(points[longest - 1].at, points[longest].at))
+      longest = i;
   const double chord = distance(points[longest - 1].at, points[longest].at);
   const bool is_lednicer = distance(points.front().at, points[longest].at) <= widest_gap * chord &&
                            distance(points.back().at, points[longest - 1].at) <= 4 * widest_gap * chord;
@@ -203,7 +204,8 @@ void undo_lednicer_order(RawCurve& curve) {
                "the file was cut short, or correct the two counts");
   }
   if (ends_meet(curve.points)) return;
-  if (const std::size_t middle = lower_side_begins(curve.points); middle > 0) join_sides(curve.points, middle);
+  if (const std::size_t middle = lower_side_begins(curve.points); middle > 0)
+    join_sides(curve.points, middle);
 }
 
 void merge_repeated_points(RawCurve& curve) {
@@ -221,7 +223,8 @@ void merge_repeated_points(RawCurve& curve) {
     }
   }
   while (curve.closed && kept.size() > 1 && kept.front().at == kept.back().at) {
-    lines += (lines.empty() ? "" : ", ") + mesh::words(kept.back().at) + " on line " + std::to_string(kept.back().line);
+    lines += (lines.empty() ? "" : ", ") + mesh::words(kept.back().at) + " on line " +
+             std::to_string(kept.back().line);
     kept.pop_back();
   }
   if (!lines.empty())
@@ -261,8 +264,8 @@ void refuse_open_curve(RawCurve& curve, const Ends& ends) {
       "between its first point " + curve.words(0) + " and its last " + curve.words(curve.points.size() - 1);
   if (!ends.at_trailing_edge)
     curve.fail(curve.points.size() - 1,
-               "the curve is open away from its trailing edge (its end of larger x): there is a gap " + between +
-                   ", " + percent,
+               "the curve is open away from its trailing edge (its end of larger x): there is a gap " +
+                   between + ", " + percent,
                "begin and end at the trailing edge, or close the curve by repeating the first point");
   if (gap > widest_gap * ends.chord)
     curve.warnings.push_back(curve.source + ": the open base " + between + " is " + percent +

@@ -48,7 +48,8 @@ namespace io {
 
 /// The same from text; source names it in errors.
 [[nodiscard]] AirfoilCoordinates parse_airfoil(std::string_view text, const std::string& source);
-[[nodiscard]] std::vector<AirfoilCoordinates> parse_airfoils(std::string_view text, const std::string& source);
+[[nodiscard]] std::vector<AirfoilCoordinates> parse_airfoils(std::string_view text,
+                                                             const std::string& source);
 
 }  // namespace io
 }  // namespace leonhard

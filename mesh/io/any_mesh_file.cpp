@@ -90,7 +90,7 @@ void add_lost_parts(LossList& list, const Mesh& mesh, const FormatPlaces& places
     list.add(regions.size() == 1 ? "the region of the cells"
                                  : "regions (" + std::to_string(regions.size()) + " different ones)");
   const std::size_t inner = inner_facets_in(mesh).size();
-  if (!places.inner_facets && inner > 0) 
+  if (!places.inner_facets && inner > 0)
     list.add(std::to_string(inner) + " inner " + facet_in_words(mesh) + (inner == 1 ? "" : "s"));
   const bool has_vertex_markers = std::any_of(mesh.vertex_markers.begin(), mesh.vertex_markers.end(),
                                               [](Marker marker) { return marker != 0; });
@@ -145,7 +145,8 @@ std::string renumber(Mesh& mesh) {
   for (const auto& facet : inner_facets_in(mesh)) used.insert(facet.marker);
   for (const auto& name : mesh.marker_names) used.insert(name.first);
   for (const double region : mesh.regions)
-    if (std::abs(region) <= std::numeric_limits<Marker>::max()) used_regions.insert(static_cast<Marker>(region));
+    if (std::abs(region) <= std::numeric_limits<Marker>::max())
+      used_regions.insert(static_cast<Marker>(region));
   for (const auto& name : mesh.region_names) used_regions.insert(name.first);
   Renumbering of_markers(std::move(used), mesh.marker_names, "marker"),
       of_regions(std::move(used_regions), mesh.region_names, "region");
@@ -193,7 +194,8 @@ void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file, 
   if (extension == ".msh") {
     const GmshForm form{options.msh_2_2 ? GmshVersion::v2_2 : GmshVersion::v4_1, options.msh_binary};
     return std::visit(
-        [&](const auto& mesh) { write_gmsh(path, mesh, form, file.point_fields, file.cell_fields); }, file.mesh);
+        [&](const auto& mesh) { write_gmsh(path, mesh, form, file.point_fields, file.cell_fields); },
+        file.mesh);
   }
   const bool with_fields = carries_fields(path);
   static const std::vector<PointField> no_point_fields;
@@ -235,13 +237,14 @@ PointField finite_field(const AnyMeshFile& file, const std::string& name, const 
         file.mesh);
     if (name == marker_field && !markers.empty()) return {marker_field, 1, markers};
     std::string names = markers.empty() ? "" : std::string("it has ") + marker_field;
-    for (const PointField& field : file.point_fields) names += (names.empty() ? "it has " : ", ") + field.name;
+    for (const PointField& field : file.point_fields)
+      names += (names.empty() ? "it has " : ", ") + field.name;
     throw InputError(source, "there is no point field " + in_quotes(name), names);
   }
   if (found->components > 3)
-    throw InputError(source,
-                     "the field " + in_quotes(name) + " has " + std::to_string(found->components) + " components",
-                     "1 to 3 can be read");
+    throw InputError(
+        source, "the field " + in_quotes(name) + " has " + std::to_string(found->components) + " components",
+        "1 to 3 can be read");
   for (std::size_t i = 0; i < found->values.size(); ++i)
     if (!std::isfinite(found->values[i]))
       throw InputError(source, "the field " + in_quotes(name) + " is not finite at vertex " +

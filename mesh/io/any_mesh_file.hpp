@@ -32,14 +32,15 @@ namespace io {
 
 /// How a mesh is written.
 struct WriteOptions {
-  bool msh_2_2 = false;    ///< .msh files in version 2.2, else 4.1
+  bool msh_2_2 = false;     ///< .msh files in version 2.2, else 4.1
   bool msh_binary = false;  ///< and in binary
 };
 
 /// Write a mesh with its fields, format by extension. What the format has no place for is left out: left_behind tells it.
 ///
 /// throws  InputError as write_mesh, write_tet_mesh and write_mixed_mesh do; OutputError
-void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file, const WriteOptions& options = {});
+void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file,
+                    const WriteOptions& options = {});
 
 /// What a format, by the extension of a file, cannot hold of a mesh: regions, inner facets, names, vertex markers, fields. In
 /// words, e.g. "regions (2 different numbers), 118 inner faces, the field \"temperature\""; empty if nothing is lost.
@@ -53,7 +54,8 @@ void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file, 
 /// A point field by its name, all values finite, of 1 to 3 components. The markers of the vertices are the field "marker".
 /// source   names the file in errors
 /// throws  InputError if there is none (the message lists those there are), or it is not finite
-[[nodiscard]] PointField finite_field(const AnyMeshFile& file, const std::string& name, const std::string& source);
+[[nodiscard]] PointField finite_field(const AnyMeshFile& file, const std::string& name,
+                                      const std::string& source);
 
 /// What read_any_mesh knows.
 [[nodiscard]] const std::vector<std::string>& any_mesh_extensions();

@@ -66,12 +66,14 @@ int msh_dimension(const std::filesystem::path& path) {
 }  // namespace
 
 int file_dimension(const std::filesystem::path& path) {
-  static const std::vector<std::string> known{".su2",   ".vtu",  ".msh",   ".mesh", ".node",   ".ele",  ".poly",
-                                              ".neigh", ".face", ".smesh", ".edge", ".p2dfmt", ".pvtu", ".vtk"};
+  static const std::vector<std::string> known{".su2",  ".vtu",    ".msh",   ".mesh", ".node",
+                                              ".ele",  ".poly",   ".neigh", ".face", ".smesh",
+                                              ".edge", ".p2dfmt", ".pvtu",  ".vtk"};
   const std::string extension = known_extension(path, known, "mesh"), source = path.string();
   if (extension == ".vtu") return dimension_of(parse_vtu_grid(read_whole_file(path), source));
   if (extension == ".vtk") return dimension_of(parse_legacy_vtk(read_whole_file(path), source));
-  if (extension == ".pvtu") return dimension_of(read_pvtu_grid(read_whole_file(path), source, path.parent_path()));
+  if (extension == ".pvtu")
+    return dimension_of(read_pvtu_grid(read_whole_file(path), source, path.parent_path()));
   if (extension == ".msh") return msh_dimension(path);
   if (extension == ".su2") {
     const std::string text = read_whole_file(path);

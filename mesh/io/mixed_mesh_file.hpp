@@ -31,7 +31,8 @@ namespace io {
 ///         of the other dimension, NaN, ids out of range, cells that are flat or tangled, that overlap (in the plane) or do
 ///         not conform
 template <int Dim>
-[[nodiscard]] MixedMeshFile<Dim> read_mixed_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
+[[nodiscard]] MixedMeshFile<Dim> read_mixed_mesh(const std::filesystem::path& path,
+                                                 const ReadOptions& options = {});
 
 /// Write a mesh of mixed cells, format by extension: .su2, .vtu, .msh, .mesh. The target appears whole or not at all. The mesh
 /// must be valid (`mesh::validate`).

@@ -32,9 +32,15 @@ bool is_flat(const SurfaceTriangle& t) {
   const auto collinear = [&](auto project) {
     return kernel::orient2d(project(t[0]), project(t[1]), project(t[2])) == Sign::zero;
   };
-  return collinear([](const Point3& p) { return Point2{p.x, p.y}; }) &&
-         collinear([](const Point3& p) { return Point2{p.y, p.z}; }) &&
-         collinear([](const Point3& p) { return Point2{p.z, p.x}; });
+  return collinear([](const Point3& p) {
+           return Point2{p.x, p.y};
+         }) &&
+         collinear([](const Point3& p) {
+           return Point2{p.y, p.z};
+         }) &&
+         collinear([](const Point3& p) {
+           return Point2{p.z, p.x};
+         });
 }
 
 /// The triangles of all polygons, from their first corners.
@@ -171,7 +177,8 @@ void weld(SurfaceFile& surface, double tolerance) {
   welded.set.markers = std::move(markers);
   if (joined > 0) welded.warnings.push_back(std::to_string(joined) + " vertices were joined with others");
   if (lost > 0)
-    welded.warnings.push_back(std::to_string(lost) + " polygons have fewer than three corners then, and went");
+    welded.warnings.push_back(std::to_string(lost) +
+                              " polygons have fewer than three corners then, and went");
   surface = std::move(welded);
 }
 

@@ -16,13 +16,14 @@ struct SurfaceAccount {
   std::size_t polygons{}, triangles{}, quadrilaterals{};
   std::size_t degenerate{};  ///< polygons with a vertex twice or without area
   std::size_t edges{};
-  std::size_t open_edges{};         ///< of one polygon
-  std::size_t crowded_edges{};      ///< of three or more
-  std::size_t unlike_edges{};       ///< of two polygons that run along them in the same direction
-  std::size_t components{};         ///< joined across edges
-  std::size_t contacts{};           ///< pairs of triangles that meet beyond common corners and edges
+  std::size_t open_edges{};     ///< of one polygon
+  std::size_t crowded_edges{};  ///< of three or more
+  std::size_t unlike_edges{};   ///< of two polygons that run along them in the same direction
+  std::size_t components{};     ///< joined across edges
+  std::size_t contacts{};       ///< pairs of triangles that meet beyond common corners and edges
   double area{};
-  double volume{};  ///< enclosed, negative if the polygons turn inwards; says something if is_closed() and is_oriented()
+  double
+      volume{};  ///< enclosed, negative if the polygons turn inwards; says something if is_closed() and is_oriented()
 
   [[nodiscard]] bool is_closed() const { return polygons > 0 && open_edges == 0; }
   [[nodiscard]] bool is_manifold() const { return crowded_edges == 0; }

@@ -117,7 +117,8 @@ TEST_CASE("bad_mesh_files_are_refused_with_ids_and_coordinates") {
     refused(scratch, mesh_case, words);
   };
   with(square_su2("5 0 2 3 1", "5 0 2 9 1"), {"square.su2:4", "9"});
-  with(square_su2("NELEM= 2\n5 0 1 2 0\n5 0 2 3 1", "NELEM= 1\n5 0 1 2 0"), {"square.su2"});  // edges of no cell
+  with(square_su2("NELEM= 2\n5 0 1 2 0\n5 0 2 3 1", "NELEM= 1\n5 0 1 2 0"),
+       {"square.su2"});  // edges of no cell
   with(square_su2("1.0 1.0 2", "2.0 0.0 2"), {"square.su2", "area"});
   with(square_su2("1.0 1.0 2", "nan 1.0 2"), {"square.su2:8", "nan"});
   with(square_su2("5 0 2 3 1", "77 0 2 3 1"), {"square.su2:4", "77"});

@@ -51,7 +51,8 @@ std::optional<Field> dense_field(const GmshValues& from, std::vector<bool> has, 
 /// used   points that cells of the soup use: the others need no value
 /// cells  those of the soup, in its order
 template <class Soup>
-void take_fields(GmshData& data, const std::vector<bool>& used, const std::vector<GmshCell>& cells, Soup& soup) {
+void take_fields(GmshData& data, const std::vector<bool>& used, const std::vector<GmshCell>& cells,
+                 Soup& soup) {
   std::vector<std::pair<std::uint64_t, std::size_t>> cell_of_tag;
   if (!data.values.empty()) {
     for (const GmshCell& cell : cells) cell_of_tag.emplace_back(cell.tag, cell_of_tag.size());
@@ -206,9 +207,13 @@ Marker free_group(const GmshData& data, const std::set<Marker>& used, int dimens
 
 /// Gmsh drops elements in no group when it saves a mesh: those of dimension Dim - 1 and Dim that have none get one.
 void group_the_ungrouped(GmshData& data, int dimension_of_cells) {
-  const std::array<std::pair<int, std::vector<GmshCell>*>, 7> lists{
-      {{1, &data.lines}, {2, &data.triangles}, {2, &data.quadrilaterals}, {3, &data.tetrahedra},
-       {3, &data.hexahedra}, {3, &data.prisms}, {3, &data.pyramids}}};
+  const std::array<std::pair<int, std::vector<GmshCell>*>, 7> lists{{{1, &data.lines},
+                                                                     {2, &data.triangles},
+                                                                     {2, &data.quadrilaterals},
+                                                                     {3, &data.tetrahedra},
+                                                                     {3, &data.hexahedra},
+                                                                     {3, &data.prisms},
+                                                                     {3, &data.pyramids}}};
   for (const int dimension : {dimension_of_cells - 1, dimension_of_cells}) {
     std::set<Marker> used;
     for (const auto& [of_list, list] : lists)
@@ -309,7 +314,8 @@ MeshSoup<Dim> gmsh_soup(GmshData&& data, const std::string& source) {
   soup.mesh.marker_names = names_of_groups(data, Dim - 1);
   soup.mesh.region_names = names_of_groups(data, Dim);
   if constexpr (Dim == 2) {
-    for (const GmshCell& line : data.lines) soup.add_facet(std::span(line.corners).first(2), line.group, line.line);
+    for (const GmshCell& line : data.lines)
+      soup.add_facet(std::span(line.corners).first(2), line.group, line.line);
     for (const Point3& p : data.points) soup.mesh.points.push_back({p.x, p.y});
   } else {
     const KindedCells faces = cells_of_dimension<2>(data);

@@ -18,7 +18,16 @@ namespace leonhard::io {
 namespace {
 
 /// Lists of elements by shape.
-enum GmshList : std::size_t { lines, triangles, quadrilaterals, tetrahedra, hexahedra, prisms, pyramids, list_count };
+enum GmshList : std::size_t {
+  lines,
+  triangles,
+  quadrilaterals,
+  tetrahedra,
+  hexahedra,
+  prisms,
+  pyramids,
+  list_count
+};
 
 /// What Gmsh calls an element type: how many nodes, corners first, and which list it goes to (points: none).
 struct ElementType {
@@ -29,20 +38,44 @@ struct ElementType {
 constexpr std::array<std::size_t, list_count> corners_in_list{2, 3, 4, 4, 8, 6, 5};
 constexpr std::array<int, list_count> dimension_of_list{1, 2, 2, 3, 3, 3, 3};
 
-constexpr std::array element_types{
-    ElementType{1, 2, lines},           ElementType{2, 3, triangles},      ElementType{3, 4, quadrilaterals},
-    ElementType{4, 4, tetrahedra},      ElementType{5, 8, hexahedra},      ElementType{6, 6, prisms},
-    ElementType{7, 5, pyramids},        ElementType{8, 3, lines},          ElementType{9, 6, triangles},
-    ElementType{10, 9, quadrilaterals}, ElementType{11, 10, tetrahedra},   ElementType{12, 27, hexahedra},
-    ElementType{13, 18, prisms},        ElementType{14, 14, pyramids},     ElementType{15, 1},
-    ElementType{16, 8, quadrilaterals}, ElementType{17, 20, hexahedra},    ElementType{18, 15, prisms},
-    ElementType{19, 13, pyramids},      ElementType{20, 9, triangles},     ElementType{21, 10, triangles},
-    ElementType{22, 12, triangles},     ElementType{23, 15, triangles},    ElementType{24, 15, triangles},
-    ElementType{25, 21, triangles},     ElementType{26, 4, lines},         ElementType{27, 5, lines},
-    ElementType{28, 6, lines},          ElementType{29, 20, tetrahedra},   ElementType{30, 35, tetrahedra},
-    ElementType{31, 56, tetrahedra},    ElementType{36, 16, quadrilaterals}, ElementType{37, 25, quadrilaterals},
-    ElementType{38, 36, quadrilaterals}, ElementType{90, 40, prisms},      ElementType{91, 75, prisms},
-    ElementType{92, 64, hexahedra},     ElementType{93, 125, hexahedra}};
+constexpr std::array element_types{ElementType{1, 2, lines},
+                                   ElementType{2, 3, triangles},
+                                   ElementType{3, 4, quadrilaterals},
+                                   ElementType{4, 4, tetrahedra},
+                                   ElementType{5, 8, hexahedra},
+                                   ElementType{6, 6, prisms},
+                                   ElementType{7, 5, pyramids},
+                                   ElementType{8, 3, lines},
+                                   ElementType{9, 6, triangles},
+                                   ElementType{10, 9, quadrilaterals},
+                                   ElementType{11, 10, tetrahedra},
+                                   ElementType{12, 27, hexahedra},
+                                   ElementType{13, 18, prisms},
+                                   ElementType{14, 14, pyramids},
+                                   ElementType{15, 1},
+                                   ElementType{16, 8, quadrilaterals},
+                                   ElementType{17, 20, hexahedra},
+                                   ElementType{18, 15, prisms},
+                                   ElementType{19, 13, pyramids},
+                                   ElementType{20, 9, triangles},
+                                   ElementType{21, 10, triangles},
+                                   ElementType{22, 12, triangles},
+                                   ElementType{23, 15, triangles},
+                                   ElementType{24, 15, triangles},
+                                   ElementType{25, 21, triangles},
+                                   ElementType{26, 4, lines},
+                                   ElementType{27, 5, lines},
+                                   ElementType{28, 6, lines},
+                                   ElementType{29, 20, tetrahedra},
+                                   ElementType{30, 35, tetrahedra},
+                                   ElementType{31, 56, tetrahedra},
+                                   ElementType{36, 16, quadrilaterals},
+                                   ElementType{37, 25, quadrilaterals},
+                                   ElementType{38, 36, quadrilaterals},
+                                   ElementType{90, 40, prisms},
+                                   ElementType{91, 75, prisms},
+                                   ElementType{92, 64, hexahedra},
+                                   ElementType{93, 125, hexahedra}};
 
 enum class GmshVersionRead { v1, v2, v4_0, v4_1 };
 
@@ -111,7 +144,8 @@ class GmshParser {
   [[nodiscard]] static std::string known_name(const std::string& name) {
     if (name == "NOD" || name == "ParametricNodes") return "Nodes";
     if (name == "ELM") return "Elements";
-    static const std::set<std::string> known{"Nodes", "Elements", "Entities", "PartitionedEntities", "PhysicalNames"};
+    static const std::set<std::string> known{"Nodes", "Elements", "Entities", "PartitionedEntities",
+                                             "PhysicalNames"};
     return known.contains(name) ? name : "";
   }
 
@@ -367,8 +401,9 @@ class GmshParser {
     const auto found = std::find_if(element_types.begin(), element_types.end(),
                                     [&](const ElementType& type) { return type.number == number; });
     if (found == element_types.end())
-      numbers_.fail("the file has elements of type " + std::to_string(number),
-                    "lines, triangles, quadrilaterals, tetrahedra, hexahedra, prisms and pyramids can be read");
+      numbers_.fail(
+          "the file has elements of type " + std::to_string(number),
+          "lines, triangles, quadrilaterals, tetrahedra, hexahedra, prisms and pyramids can be read");
     return *found;
   }
 
@@ -384,7 +419,8 @@ class GmshParser {
 
   /// An element after its tags. next: reads the tag of a node
   template <class Next>
-  void read_element(const ElementType& type, std::uint64_t element, const GmshEntity& entity, const Next& next) {
+  void read_element(const ElementType& type, std::uint64_t element, const GmshEntity& entity,
+                    const Next& next) {
     CellOnEntity result{{{}, entity.group, numbers_.line(), element}, entity.number};
     const bool is_taken = type.list != list_count && !entity.is_seam;
     const std::size_t corners = is_taken ? corners_in_list[type.list] : 0;
@@ -412,8 +448,8 @@ class GmshParser {
     }
     if (version_ == GmshVersionRead::v1 &&
         numbers_.integer("the number of nodes of an element") != static_cast<std::int32_t>(type.nodes))
-      numbers_.fail("an element of type " + std::to_string(type.number) + " has another number of nodes than " +
-                    std::to_string(type.nodes));
+      numbers_.fail("an element of type " + std::to_string(type.number) +
+                    " has another number of nodes than " + std::to_string(type.nodes));
     read_element(type, static_cast<std::uint64_t>(std::max(element, 0)), entity, [&] { return old_node(); });
   }
 
@@ -469,7 +505,8 @@ class GmshParser {
     numbers_.need(blocks, 4, "blocks");
     std::uint64_t done = 0;
     for (std::uint64_t b = 0; b < blocks; ++b) {
-      std::int32_t tag = numbers_.integer("the number of an entity");  // of 4.1 its dimension, of 4.0 then the dimension
+      std::int32_t tag =
+          numbers_.integer("the number of an entity");  // of 4.1 its dimension, of 4.0 then the dimension
       const std::int32_t second = numbers_.integer("the number of an entity");
       if (!is_old) tag = second;
       const ElementType& type = type_of(numbers_.integer("the type of elements"));
@@ -556,7 +593,8 @@ class GmshParser {
       list += (list.empty() ? "" : "; ") + group_words(dimension, first) + ", also in " +
               group_words(dimension, other);
     if (!list.empty())
-      data_.warnings.push_back("elements are in several physical groups, of which the first was taken: " + list);
+      data_.warnings.push_back("elements are in several physical groups, of which the first was taken: " +
+                               list);
   }
 
   /// Of one dimension: groups that say that there is none become 0, elements in no group get their entity's number.
@@ -587,9 +625,10 @@ class GmshParser {
       });
       const bool changed =
           std::any_of(number_of.begin(), number_of.end(), [](const auto& n) { return n.first != n.second; });
-      data_.warnings.push_back(std::to_string(ungrouped) + " elements of dimension " + std::to_string(dimension) +
-                               " are in no physical group; the numbers of the geometry's entities stand for it" +
-                               (changed ? ", the next free ones where a group has that number" : ""));
+      data_.warnings.push_back(
+          std::to_string(ungrouped) + " elements of dimension " + std::to_string(dimension) +
+          " are in no physical group; the numbers of the geometry's entities stand for it" +
+          (changed ? ", the next free ones where a group has that number" : ""));
     }
     for (auto name = data_.names.begin(); name != data_.names.end();) {
       const bool is_none = name->first.first == dimension && (name->second == gmsh_name_of_none(false) ||

@@ -60,6 +60,8 @@ struct GmshData {
 [[nodiscard]] GmshData parse_gmsh_data(std::string_view bytes, const std::string& source);
 
 /// The name of the group of cells that have no marker or region in the mesh: Gmsh drops elements without a group.
-[[nodiscard]] inline std::string gmsh_name_of_none(bool of_cells) { return of_cells ? "region_0" : "marker_0"; }
+[[nodiscard]] inline std::string gmsh_name_of_none(bool of_cells) {
+  return of_cells ? "region_0" : "marker_0";
+}
 
 }  // namespace leonhard::io

@@ -195,8 +195,10 @@ class LegacyParser {
       return read_rows(argument(1), in_.count(argument(2), "the number of components"), argument(3), rows_);
     if (keyword == "FIELD") return read_field();
     if (keyword == "METADATA") return skip_metadata();
-    if (keyword == "LOOKUP_TABLE") return skip_numbers(4 * in_.count(argument(2), "the size of a table"), "float");
-    in_.fail("the keyword " + in_quotes(words_[0]) + " is not known", "the file was damaged, or a count is wrong");
+    if (keyword == "LOOKUP_TABLE")
+      return skip_numbers(4 * in_.count(argument(2), "the size of a table"), "float");
+    in_.fail("the keyword " + in_quotes(words_[0]) + " is not known",
+             "the file was damaged, or a count is wrong");
   }
 
   void read_points() {
@@ -285,7 +287,8 @@ class LegacyParser {
     if (is_new) {
       arrays_->push_back(std::move(numbers));
     } else {
-      grid_.warnings.push_back("the field " + in_quotes(numbers.name) + " was left out: another one has this name");
+      grid_.warnings.push_back("the field " + in_quotes(numbers.name) +
+                               " was left out: another one has this name");
     }
   }
 

@@ -40,7 +40,8 @@ std::string format_marker_notes(const std::map<Marker, std::string>& names, char
   std::string text;
   for (const auto& [marker, name] : names) {
     check_name(marker, name, word);
-    text += std::string(1, comment) + " " + std::string(word) + " " + std::to_string(marker) + " " + name + "\n";
+    text +=
+        std::string(1, comment) + " " + std::string(word) + " " + std::to_string(marker) + " " + name + "\n";
   }
   return text;
 }

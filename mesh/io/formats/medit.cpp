@@ -20,7 +20,8 @@ namespace {
 template <int Dim>
 void add_medit_cells(const std::vector<MeditCell>& cells, CellKind kind, MeshSoup<Dim>& soup) {
   for (const MeditCell& cell : cells)
-    soup.mesh.regions[soup.add_cell(kind, std::span(cell.corners).first(shape_of(kind).corner_count), cell.line)] =
+    soup.mesh
+        .regions[soup.add_cell(kind, std::span(cell.corners).first(shape_of(kind).corner_count), cell.line)] =
         cell.reference;
 }
 template <int Dim>
@@ -51,11 +52,12 @@ class MeditText {
     ++edges_.count;
   }
   [[nodiscard]] std::string finish() const {
-    static constexpr std::array<const char*, cell_kind_count> names{"Triangles", "Quadrilaterals", "Tetrahedra",
-                                                                   "Pyramids",  "Prisms",         "Hexahedra"};
+    static constexpr std::array<const char*, cell_kind_count> names{
+        "Triangles", "Quadrilaterals", "Tetrahedra", "Pyramids", "Prisms", "Hexahedra"};
     std::string text;
     const auto append = [&](const char* name, const Section& section) {
-      if (section.count > 0) text += std::string(name) + "\n" + std::to_string(section.count) + "\n" + section.text;
+      if (section.count > 0)
+        text += std::string(name) + "\n" + std::to_string(section.count) + "\n" + section.text;
     };
     append("Edges", edges_);
     for (std::size_t kind = 0; kind < cell_kind_count; ++kind) append(names[kind], sections_[kind]);
@@ -81,7 +83,8 @@ void add_facet(MeditText& text, const MarkedMixedFacet<2>& edge) {
   text.add_edge({edge.corners[0], edge.corners[1]}, edge.marker);
 }
 void add_facet(MeditText& text, const MarkedMixedFacet<3>& face) {
-  text.add(face.corners.size() == 3 ? CellKind::triangle : CellKind::quadrilateral, face.corners, face.marker);
+  text.add(face.corners.size() == 3 ? CellKind::triangle : CellKind::quadrilateral, face.corners,
+           face.marker);
 }
 
 template <int Dim>
@@ -107,8 +110,8 @@ const auto& inner_facets(const MixedMesh<Dim>& mesh) {
 template <int Dim, class Mesh>
 std::string medit_text(const Mesh& mesh) {
   const std::vector<Marker> regions = whole_regions(mesh.regions, std::numeric_limits<Marker>::min());
-  std::string text = format_marker_notes(mesh.marker_names, '#') +
-                     format_marker_notes(mesh.region_names, '#', "region");
+  std::string text =
+      format_marker_notes(mesh.marker_names, '#') + format_marker_notes(mesh.region_names, '#', "region");
   text += "MeshVersionFormatted 2\nDimension " + std::to_string(Dim) + "\nVertices\n" +
           std::to_string(mesh.vertex_count()) + "\n";
   for (const VertexId v : mesh.points.ids()) {
@@ -128,8 +131,9 @@ std::string medit_text(const Mesh& mesh) {
 template <int Dim>
 MeshSoup<Dim> medit_soup(MeditData&& data, const std::string& source) {
   if (data.dimension != Dim)
-    throw InputError(source, "Dimension " + std::to_string(data.dimension) + ": only meshes of " +
-                                 (Dim == 2 ? "the plane" : "space") + " can be read here",
+    throw InputError(source,
+                     "Dimension " + std::to_string(data.dimension) + ": only meshes of " +
+                         (Dim == 2 ? "the plane" : "space") + " can be read here",
                      "give a mesh with Dimension " + std::to_string(Dim));
   MeshSoup<Dim> soup;
   soup.source = source;

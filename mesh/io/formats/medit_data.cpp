@@ -190,7 +190,8 @@ class MeditParser {
     const std::string where = scan_.where();
     if (scan_.line_done() && !scan_.next_line()) return false;
     const bool is_text = scan_.rest().front() == '"';
-    const std::int64_t count = is_text || keyword == "AngleOfCornerBound" ? 0 : scan_.integer("the number of entries");
+    const std::int64_t count =
+        is_text || keyword == "AngleOfCornerBound" ? 0 : scan_.integer("the number of entries");
     if (count > 0)
       data_.warnings.push_back(where + ": the section " + keyword + " (" + std::to_string(count) +
                                " entries) was passed over");

@@ -41,7 +41,8 @@ std::string with_continued_lines(std::string_view text) {
   std::string joined(text);
   std::size_t breaks = 0;
   for (std::size_t i = 0; i < joined.size(); ++i) {
-    const bool carriage = joined[i] == '\\' && i + 2 < joined.size() && joined[i + 1] == '\r' && joined[i + 2] == '\n';
+    const bool carriage =
+        joined[i] == '\\' && i + 2 < joined.size() && joined[i + 1] == '\r' && joined[i + 2] == '\n';
     if (carriage || (joined[i] == '\\' && i + 1 < joined.size() && joined[i + 1] == '\n')) {
       joined[i] = joined[i + 1] = ' ';
       if (carriage) joined[i + 2] = ' ';

@@ -57,7 +57,8 @@ void read_cells(TextScanner& scan, const VertexTable<typename Simplex<Dim>::Poin
   const std::size_t count = scan.count(number_of_cells.c_str(), shortest_entry + 2 * (Dim - 1));
   const std::int64_t nodes =
       scan.line_done() ? Dim + 1 : scan.integer(("the number of nodes per " + cell).c_str());
-  if (Dim == 3 && (nodes == 3 || nodes == 6)) scan.fail("the cells have 3 corners: this is a mesh of the plane");
+  if (Dim == 3 && (nodes == 3 || nodes == 6))
+    scan.fail("the cells have 3 corners: this is a mesh of the plane");
   constexpr std::int64_t nodes_of_second_order = Dim == 2 ? 6 : 10;  // corners first
   if (nodes != Dim + 1 && nodes != nodes_of_second_order)
     scan.fail(cells + " have " + std::to_string(nodes) + " nodes",
@@ -78,7 +79,8 @@ void read_cells(TextScanner& scan, const VertexTable<typename Simplex<Dim>::Poin
     scan.expect_line_end(("the " + cell).c_str());
   }
   if (nodes > Dim + 1)
-    soup.warnings.push_back(std::to_string(count) + " cells are of second order; they were read by their corners");
+    soup.warnings.push_back(std::to_string(count) +
+                            " cells are of second order; they were read by their corners");
   expect_end(scan, ("the last " + cell).c_str());
 }
 
@@ -86,8 +88,8 @@ void read_cells(TextScanner& scan, const VertexTable<typename Simplex<Dim>::Poin
 ///
 /// read_facets  called with the vertices and the soup, to add the marked facets and names of other files
 template <int Dim, class ReadFacets>
-[[nodiscard]] MeshSoup<Dim> parse_stem(const std::string& node, const std::string& ele, const std::string& stem,
-                                       ReadFacets read_facets) {
+[[nodiscard]] MeshSoup<Dim> parse_stem(const std::string& node, const std::string& ele,
+                                       const std::string& stem, ReadFacets read_facets) {
   TextScanner node_scan(node, stem + ".node", triangle_syntax);
   auto vertices = read_vertices<typename Simplex<Dim>::Point>(node_scan);
   expect_end(node_scan, "the last vertex");

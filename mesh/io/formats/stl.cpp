@@ -107,7 +107,8 @@ class StlText {
     }
     expect("endloop");
     expect("endfacet");
-    scan_.need_line("facet or endsolid");  // what else stands on the line, such as a colour, says nothing here
+    scan_.need_line(
+        "facet or endsolid");  // what else stands on the line, such as a colour, says nothing here
   }
 
   TextScanner scan_;

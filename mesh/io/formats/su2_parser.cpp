@@ -53,7 +53,8 @@ std::size_t find_keyword(std::string_view text, std::string_view keyword, std::s
        at = text.find(keyword, at + 1)) {
     const std::size_t line = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
     const std::size_t after = text.find_first_not_of(" \t", at + keyword.size());
-    const bool begins = text.substr(line, at - line).find_first_not_of(" \t\r\xEF\xBB\xBF") == std::string_view::npos;
+    const bool begins =
+        text.substr(line, at - line).find_first_not_of(" \t\r\xEF\xBB\xBF") == std::string_view::npos;
     if (begins && after != std::string_view::npos && text[after] == '=') return at;
   }
   return std::string_view::npos;
@@ -102,25 +103,29 @@ Su2Zone find_su2_zone(std::string_view text, const std::string& source, std::opt
   const std::int64_t count = number_after({text}, source, "NZONE");
   if (count <= 1) {
     if (zone.value_or(1) == 1) return {text};
-    throw InputError(source, "there is no zone " + std::to_string(*zone) + ": the file has one", "leave out --zone");
+    throw InputError(source, "there is no zone " + std::to_string(*zone) + ": the file has one",
+                     "leave out --zone");
   }
   const std::vector<Su2Zone> zones = su2_zones(text);
   if (zones.size() != static_cast<std::size_t>(count))
-    throw InputError(source, "NZONE= declares " + std::to_string(count) + " zones, but the file has " +
-                                 std::to_string(zones.size()) + " (IZONE=)",
+    throw InputError(source,
+                     "NZONE= declares " + std::to_string(count) + " zones, but the file has " +
+                         std::to_string(zones.size()) + " (IZONE=)",
                      "the file was cut short, or correct NZONE=");
   if (!zone || *zone < 1 || *zone > zones.size())
-    throw InputError(source,
-                     (zone ? "there is no zone " + std::to_string(*zone) + ", but " : "the file holds several zones: ") +
-                         zone_list(zones, source),
-                     "name one: --zone 1");
+    throw InputError(
+        source,
+        (zone ? "there is no zone " + std::to_string(*zone) + ", but " : "the file holds several zones: ") +
+            zone_list(zones, source),
+        "name one: --zone 1");
   return zones[*zone - 1];
 }
 
 int su2_dimension(const Su2Zone& zone, const std::string& source) {
   const std::int64_t dimension = number_after(zone, source, "NDIME");
   if (dimension != 2 && dimension != 3)
-    throw InputError(source, "the file does not tell its dimension (NDIME= 2 or 3)", "was it written completely?");
+    throw InputError(source, "the file does not tell its dimension (NDIME= 2 or 3)",
+                     "was it written completely?");
   return static_cast<int>(dimension);
 }
 
@@ -144,7 +149,8 @@ void Su2Parser::read_sections() {
 }
 
 void Su2Parser::read_section(const std::string& keyword) {
-  static const std::vector<std::string> known{"NDIME", "NELEM", "NPOIN", "NMARK", "MARKER_TAG", "NZONE", "IZONE"};
+  static const std::vector<std::string> known{"NDIME",      "NELEM", "NPOIN", "NMARK",
+                                              "MARKER_TAG", "NZONE", "IZONE"};
   const bool is_known = std::find(known.begin(), known.end(), keyword) != known.end();
   const bool is_first = sections_.insert(keyword).second;
   skipping_ = !is_known;
@@ -217,7 +223,8 @@ void Su2Parser::read_point_numbers(std::size_t index) {
   std::optional<std::int64_t> number = as_whole_number(word);
   if (!number) {
     double z = 0;
-    if (dimension_ == 3 || parse_number(word, z) != NumberFault::none) scan_.fail_found(word, "the point's number");
+    if (dimension_ == 3 || parse_number(word, z) != NumberFault::none)
+      scan_.fail_found(word, "the point's number");
     check_height(z, index);
     if (scan_.line_done()) return;
     number = scan_.integer("the point's number");
@@ -304,8 +311,8 @@ void Su2Parser::read_marker() {
     scan_.expect_line_end("the boundary element");
   }
   if (vertices > 0)
-    warnings_.push_back(scan_.where() + ": " + std::to_string(vertices) + " elements of the marker " + in_quotes(tag) +
-                        " are single vertices (type 1), which were left out");
+    warnings_.push_back(scan_.where() + ": " + std::to_string(vertices) + " elements of the marker " +
+                        in_quotes(tag) + " are single vertices (type 1), which were left out");
 }
 
 /// What a part of a mesh sends and receives: elements of type 1, after a line SEND_RECV= or not.
@@ -321,7 +328,8 @@ void Su2Parser::pass_over_halo() {
     const bool ended = !scan_.next_line();
     if (!ended && scan_.at_key() && scan_.rest().starts_with("SEND_RECV")) continue;
     ++e;
-    if (ended || scan_.at_key()) scan_.fail("an element of SEND_RECEIVE is missing", "the file was cut short");
+    if (ended || scan_.at_key())
+      scan_.fail("an element of SEND_RECEIVE is missing", "the file was cut short");
   }
 }
 

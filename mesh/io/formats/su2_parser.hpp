@@ -107,8 +107,8 @@ class Su2Parser {
   std::vector<std::string> tags_;
   std::size_t marker_count_ = 0, halo_markers_ = 0;
   std::optional<double> height_;  ///< the third coordinate of points of the plane
-  bool skipping_ = false;       ///< inside a section that is not known
-  bool number_warned_ = false;  ///< one warning about entry numbers is enough
+  bool skipping_ = false;         ///< inside a section that is not known
+  bool number_warned_ = false;    ///< one warning about entry numbers is enough
   std::vector<std::string> warnings_;
 };
 

@@ -37,8 +37,8 @@ struct VtkGrid {
   std::vector<Point3> points;
   std::vector<std::int64_t> types, connectivity, offsets;  ///< a cell ends at its offset
   std::vector<VtkNumbers> point_arrays, cell_arrays;
-  std::optional<VtkRows> boundary, inner_facets;                     ///< ours: vertices and marker of facets
-  std::map<Marker, std::string> marker_names, region_names;          ///< ours
+  std::optional<VtkRows> boundary, inner_facets;             ///< ours: vertices and marker of facets
+  std::map<Marker, std::string> marker_names, region_names;  ///< ours
   std::vector<std::string> warnings;
   std::size_t points_line = 0, cells_line = 0;  ///< of the file, for errors; 0: unknown
 

@@ -90,9 +90,10 @@ class VtkSoupMaker {
         soup_.mesh.points.push_back(p);
       } else {
         if (p.z != grid_.points[0].z)
-          fail_at(grid_.points_line, "point " + std::to_string(i) + " has z = " + mesh::words(p.z) +
-                   " unlike the first, which has z = " + mesh::words(grid_.points[0].z),
-               "only meshes in a plane z = const can be read");
+          fail_at(grid_.points_line,
+                  "point " + std::to_string(i) + " has z = " + mesh::words(p.z) +
+                      " unlike the first, which has z = " + mesh::words(grid_.points[0].z),
+                  "only meshes in a plane z = const can be read");
         soup_.mesh.points.push_back({p.x, p.y});
       }
     }
@@ -108,7 +109,8 @@ class VtkSoupMaker {
                std::to_string(vertices.size()) + " vertices",
            "it needs " + std::to_string(count) + " or more");
     std::array<VertexId, most_cell_corners> corners{};
-    for (std::size_t i = 0; i < count; ++i) corners[i] = VertexId::from(static_cast<std::size_t>(vertices[i]));
+    for (std::size_t i = 0; i < count; ++i)
+      corners[i] = VertexId::from(static_cast<std::size_t>(vertices[i]));
     const std::int64_t type = grid_.types[c];
     if (type == vtk_pixel || type == vtk_voxel) std::swap(corners[2], corners[3]);
     if (type == vtk_voxel) std::swap(corners[6], corners[7]);
@@ -127,7 +129,8 @@ class VtkSoupMaker {
       fail("cell " + std::to_string(c) + " has the type " + std::to_string(type) +
                (kind ? ", which is a cell of space" : ""),
            kind ? "give a mesh of the plane"
-                : "cells of VTK's linear, quadratic and Lagrange types can be read, and strips, pixels and voxels");
+                : "cells of VTK's linear, quadratic and Lagrange types can be read, and strips, pixels and "
+                  "voxels");
     const auto corners = corners_of(c, kind->corner_count);
     add(c, std::span<const VertexId>(corners.data(), kind->corner_count), kind->kind, kind->dimension);
   }
@@ -186,8 +189,8 @@ class VtkSoupMaker {
         const std::int64_t v = rows.numbers[i + k];
         if (k >= Dim && v == -1) continue;
         if (v < 0 || v >= std::ssize(grid_.points))
-          fail("a facet of the boundary names vertex " + std::to_string(v) + ", but the file has only vertices 0 to " +
-                   std::to_string(std::ssize(grid_.points) - 1),
+          fail("a facet of the boundary names vertex " + std::to_string(v) +
+                   ", but the file has only vertices 0 to " + std::to_string(std::ssize(grid_.points) - 1),
                "the file was damaged");
         corners.push_back(VertexId::from(static_cast<std::size_t>(v)));
       }
@@ -218,7 +221,8 @@ class VtkSoupMaker {
 
   void take_point_arrays() {
     for (VtkNumbers& array : grid_.point_arrays) {
-      const bool is_marker = array.name == vtu_names::vertex_marker && array.components == 1 && array.is_whole;
+      const bool is_marker =
+          array.name == vtu_names::vertex_marker && array.components == 1 && array.is_whole;
       if (!is_marker) {
         soup_.point_fields.push_back({std::move(array.name), array.components, std::move(array.values)});
         continue;

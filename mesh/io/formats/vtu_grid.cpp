@@ -48,9 +48,9 @@ class VtuPiece {
   }
 
   const XmlElement& need_array(const XmlElement& data, std::string_view name) const {
-    const auto found = std::find_if(
-        data.children.begin(), data.children.end(),
-        [&](const XmlElement& child) { return child.name == "DataArray" && child.attribute("Name") == name; });
+    const auto found = std::find_if(data.children.begin(), data.children.end(), [&](const XmlElement& child) {
+      return child.name == "DataArray" && child.attribute("Name") == name;
+    });
     if (found == data.children.end())
       fail(data, "the element <" + std::string(data.name) + "> has no array " + in_quotes(name));
     return *found;
@@ -103,8 +103,8 @@ class VtuPiece {
 
   /// The numbers of one array, without the third component that write_vtu adds to two.
   VtkNumbers read_numbers_of(const XmlElement& array, std::size_t rows) const {
-    VtkNumbers numbers{array.attribute("Name"), 1, !array.attribute("type").starts_with("Float"), {},
-                       array.line};
+    VtkNumbers numbers{
+        array.attribute("Name"), 1, !array.attribute("type").starts_with("Float"), {}, array.line};
     const std::string text = array.attribute("NumberOfComponents", "1");
     TextScanner scan(text, encoding_.source, {.lines_before = array.line - 1});
     scan.need_line("the number of components");
@@ -172,9 +172,10 @@ class VtuFieldData {
   }
 
   const XmlElement* find(std::string_view name) const {
-    const auto found = std::find_if(
-        data_.children.begin(), data_.children.end(),
-        [&](const XmlElement& child) { return child.name == "DataArray" && child.attribute("Name") == name; });
+    const auto found =
+        std::find_if(data_.children.begin(), data_.children.end(), [&](const XmlElement& child) {
+          return child.name == "DataArray" && child.attribute("Name") == name;
+        });
     return found == data_.children.end() ? nullptr : &*found;
   }
 
@@ -204,7 +205,8 @@ class VtuFieldData {
         words.back() += static_cast<char>(byte);
       }
     }
-    if (words.size() != numbers.size() + 1) fail(*bytes_array, "the numbers of markers and of their names differ");
+    if (words.size() != numbers.size() + 1)
+      fail(*bytes_array, "the numbers of markers and of their names differ");
     std::map<Marker, std::string> result;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (numbers[i] < std::numeric_limits<Marker>::min() || numbers[i] > std::numeric_limits<Marker>::max())
@@ -276,7 +278,8 @@ VtkGrid read_pvtu_grid(std::string_view bytes, const std::string& source,
     ++pieces;
     const std::string name = child.attribute("Source");
     if (name.empty())
-      throw InputError(at_line(source, child.line), "a <Piece> names no file (Source=)", "the file was damaged");
+      throw InputError(at_line(source, child.line), "a <Piece> names no file (Source=)",
+                       "the file was damaged");
     const std::filesystem::path path = folder / name;
     joiner.add(parse_vtu_grid(read_whole_file(path), path.string()));
   }

@@ -101,7 +101,8 @@ void write_names(VtuText& text, const std::map<Marker, std::string>& names, cons
   std::vector<std::uint8_t> bytes;
   for (const auto& [number, name] : names) {
     if (name.find('\0') != std::string::npos)
-      throw InputError(word + " " + std::to_string(number), "its name holds a zero byte", "choose another name");
+      throw InputError(word + " " + std::to_string(number), "its name holds a zero byte",
+                       "choose another name");
     numbers.push_back(number);
     bytes.insert(bytes.end(), name.begin(), name.end());
     bytes.push_back(0);

@@ -54,9 +54,9 @@ void mark_unlisted(Mesh& mesh, std::size_t listed, Marker otherwise, std::vector
   for (std::size_t i = listed; i < mesh.boundary.size(); ++i) {
     const auto corners = corners_of_facet(mesh.boundary[i]);
     const Marker marker = mesh.vertex_markers[*corners.begin()];
-    const bool is_shared =
-        marker != 0 && std::all_of(corners.begin(), corners.end(),
-                                   [&](VertexId v) { return mesh.vertex_markers[v] == marker; });
+    const bool is_shared = marker != 0 && std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
+                             return mesh.vertex_markers[v] == marker;
+                           });
     mesh.boundary[i].marker = is_shared ? marker : otherwise;
     if (is_shared) ++shared;
   }
@@ -98,7 +98,8 @@ MixedMeshFile<Dim> checked_mixed(MeshSoup<Dim>& soup, const ReadOptions& options
   const std::size_t facets = soup.mesh.boundary.size();
   const Marker otherwise = marker_of_unlisted(soup.mesh);
   MixedMeshFile<Dim> file{mesh::make_mixed_mesh(std::move(soup.mesh), soup.source, rules_for(otherwise)),
-                          std::move(soup.warnings), std::move(soup.point_fields), std::move(soup.cell_fields)};
+                          std::move(soup.warnings), std::move(soup.point_fields),
+                          std::move(soup.cell_fields)};
   mark_unlisted<Dim>(file.mesh, facets - file.mesh.inner_facets.size(), otherwise, file.warnings);
   if (Dim == 3 && !soup.facets_as_they_are)
     std::erase_if(file.mesh.inner_facets, [](const auto& facet) { return facet.marker == 0; });
@@ -128,10 +129,10 @@ std::vector<typename Simplex<Dim>::MarkedFacet> simplex_facets_of(const MeshSoup
   for (std::size_t i = 0; i < soup.mesh.boundary.size(); ++i) {
     const auto& [corners, marker] = soup.mesh.boundary[i];
     if (corners.size() != Dim)
-      throw InputError(place_in(soup, soup.facet_lines, i),
-                       marked_facet_words(soup.mesh.boundary[i]) + " has " + std::to_string(corners.size()) +
-                           " corners",
-                       "faces of tetrahedra have three");
+      throw InputError(
+          place_in(soup, soup.facet_lines, i),
+          marked_facet_words(soup.mesh.boundary[i]) + " has " + std::to_string(corners.size()) + " corners",
+          "faces of tetrahedra have three");
     std::array<VertexId, Dim> of_simplex;
     std::copy(corners.begin(), corners.end(), of_simplex.begin());
     facets.push_back(Simplex<Dim>::marked(of_simplex, marker));
@@ -152,9 +153,8 @@ SimplexMeshFile<Dim> checked_simplices(MeshSoup<Dim>& soup, const ReadOptions& o
     std::copy(row.begin(), row.end(), corners[cell].begin());
   }
   SimplexMeshFile<Dim> file;
-  file.mesh =
-      mesh::make_mesh<Dim>(std::move(soup.mesh.points), std::move(corners), std::move(facets),
-                           std::move(soup.mesh.marker_names), soup.source, rules_for(otherwise));
+  file.mesh = mesh::make_mesh<Dim>(std::move(soup.mesh.points), std::move(corners), std::move(facets),
+                                   std::move(soup.mesh.marker_names), soup.source, rules_for(otherwise));
   file.mesh.region_names = std::move(soup.mesh.region_names);
   file.warnings = std::move(soup.warnings);
   file.point_fields = std::move(soup.point_fields);

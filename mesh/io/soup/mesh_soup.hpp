@@ -21,7 +21,8 @@ struct MeshSoup {
   std::vector<std::uint32_t> cell_lines;   ///< of the file, one a cell; empty: the file has no lines
   std::vector<std::uint32_t> facet_lines;  ///< likewise, one a facet
   bool prisms_turn_either_way = false;     ///< no warning where all are turned over: programs differ
-  bool facets_as_they_are = false;  ///< repeated facets stay, and so do inner faces whose marker is 0: our own file
+  bool facets_as_they_are =
+      false;  ///< repeated facets stay, and so do inner faces whose marker is 0: our own file
   std::vector<PointField> point_fields;  ///< one row a vertex
   std::vector<CellField> cell_fields;    ///< one row a cell
   std::vector<std::string> warnings;     ///< what the result's begin with

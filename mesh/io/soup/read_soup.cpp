@@ -36,7 +36,8 @@ AnySoup any_su2_soup(const std::filesystem::path& path, const ReadOptions& optio
   return parse_su2_soup<3>(text, source, options.zone);
 }
 
-void refuse_zone(const std::filesystem::path& path, const std::string& extension, const ReadOptions& options) {
+void refuse_zone(const std::filesystem::path& path, const std::string& extension,
+                 const ReadOptions& options) {
   if (options.zone && extension != ".su2")
     throw InputError("--zone", path.string() + " has no zones", "leave the option out; .su2 files have them");
 }
@@ -44,16 +45,17 @@ void refuse_zone(const std::filesystem::path& path, const std::string& extension
 }  // namespace
 
 const std::vector<std::string>& soup_extensions(int dimension) {
-  static const std::vector<std::string> plane{".su2", ".vtu", ".msh", ".mesh", ".node", ".ele", ".poly", ".edge",
-                                              ".vtk", ".pvtu", ".p2dfmt"};
-  static const std::vector<std::string> space{".su2", ".vtu",   ".msh", ".mesh", ".node",
-                                              ".ele", ".neigh", ".face", ".vtk", ".pvtu"};
+  static const std::vector<std::string> plane{".su2",  ".vtu",  ".msh", ".mesh", ".node",  ".ele",
+                                              ".poly", ".edge", ".vtk", ".pvtu", ".p2dfmt"};
+  static const std::vector<std::string> space{".su2", ".vtu",   ".msh",  ".mesh", ".node",
+                                              ".ele", ".neigh", ".face", ".vtk",  ".pvtu"};
   return dimension == 2 ? plane : space;
 }
 
 template <int Dim>
 MeshSoup<Dim> read_soup(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string extension = known_extension(path, soup_extensions(Dim), Dim == 2 ? "mesh" : "mesh of space"),
+  const std::string extension =
+                        known_extension(path, soup_extensions(Dim), Dim == 2 ? "mesh" : "mesh of space"),
                     source = path.string();
   refuse_zone(path, extension, options);
   if (extension == ".su2") return parse_su2_soup<Dim>(read_whole_file(path), source, options.zone);

@@ -111,7 +111,8 @@ std::optional<std::string> turned_words(const std::array<Turns, cell_kind_count>
 }
 
 /// Both halves of a quadrilateral get its row.
-void repeat_rows(std::vector<double>& values, std::size_t components, const std::vector<std::size_t>& copies) {
+void repeat_rows(std::vector<double>& values, std::size_t components,
+                 const std::vector<std::size_t>& copies) {
   if (values.empty()) return;
   std::vector<double> repeated;
   for (std::size_t c = 0; c < copies.size(); ++c) {

@@ -53,9 +53,9 @@ void weld_vertices(MeshSoup<Dim>& soup, double tolerance) {
   const auto joined = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
   if (joined == 0) return;
   keep_vertices(soup, kept, stands_for);
-  soup.warnings.push_back(std::to_string(joined) + " vertices were joined with others " +
-                          (tolerance == 0 ? "of equal coordinates"
-                                          : "no farther away than " + mesh::words(tolerance)));
+  soup.warnings.push_back(
+      std::to_string(joined) + " vertices were joined with others " +
+      (tolerance == 0 ? "of equal coordinates" : "no farther away than " + mesh::words(tolerance)));
 }
 
 template <int Dim>
@@ -75,7 +75,8 @@ void drop_unused_vertices(MeshSoup<Dim>& soup) {
   const auto first = static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
   soup.warnings.push_back(std::to_string(count) + (count == 1 ? " vertex" : " vertices") +
                           " that no cell uses " + (count == 1 ? "was" : "were") +
-                          " left out, and the others renumbered; the first is number " + std::to_string(first));
+                          " left out, and the others renumbered; the first is number " +
+                          std::to_string(first));
 }
 
 template void weld_vertices(MeshSoup<2>&, double);

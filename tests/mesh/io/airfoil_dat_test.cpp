@@ -193,7 +193,8 @@ TEST_CASE("airfoil_quirks_of_other_programs_are_read_with_a_word_on_each") {
   CHECK(parse(old_mac).points == sharp_points);
   std::replace(semicolons.begin(), semicolons.end(), ' ', ';');
   CHECK(parse(semicolons).points == blunt_points);
-  CHECK(parse("no counts\n0 0\n0.1 0.08\n0.5 0.1\n1 0\n0 0\n0.1 -0.04\n0.5 -0.05\n1 0\n").points == sharp_points);
+  CHECK(parse("no counts\n0 0\n0.1 0.08\n0.5 0.1\n1 0\n0 0\n0.1 -0.04\n0.5 -0.05\n1 0\n").points ==
+        sharp_points);
   const auto elements = io::parse_airfoils(sharp + "999.0 999.0\n" + blunt, "a.dat");
   REQUIRE(elements.size() == 2);
   CHECK(elements[0].points == sharp_points);

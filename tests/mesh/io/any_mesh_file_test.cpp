@@ -41,7 +41,8 @@ void add_cells(Facts& facts, const AnyMeshFile& file, const Mesh& mesh, CornersO
   for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
     const Corners corners = sorted_corners(corners_of(c));
     facts.regions[corners] = mesh.regions.flat()[c];
-    for (const CellField& field : file.cell_fields) facts.cell_fields[field.name][corners] = field.values.at(c);
+    for (const CellField& field : file.cell_fields)
+      facts.cell_fields[field.name][corners] = field.values.at(c);
   }
 }
 
@@ -105,7 +106,9 @@ TriangleMesh triangles_with_everything() {
 std::vector<std::pair<const char*, AnyMeshFile>> samples() {
   return {{"triangles", with_fields(triangles_with_everything())},
           {"tetrahedra", with_fields(box_with_everything())},
-          {"mixed plane", with_fields(with_everything(mixed_shelf::plane_grid(3, 2, [](std::size_t i, std::size_t j) { return i == j; }), 1, 1))},
+          {"mixed plane",
+           with_fields(with_everything(
+               mixed_shelf::plane_grid(3, 2, [](std::size_t i, std::size_t j) { return i == j; }), 1, 1))},
           {"mixed space", with_fields(with_everything(mixed_shelf::mixture(), 1, 1))}};
 }
 
@@ -141,7 +144,8 @@ TEST_CASE("every_pair_of_formats_round_trips_what_both_can_hold") {
   for (const auto& [name, sample] : samples()) {
     const Facts original = facts_of(sample);
     for (const std::string& first : io::any_mesh_output_extensions(sample)) {
-      if (first == ".ele" || first == ".poly" || first == ".face" || first == ".neigh") continue;  // .node's siblings
+      if (first == ".ele" || first == ".poly" || first == ".face" || first == ".neigh")
+        continue;  // .node's siblings
       CAPTURE(name);
       CAPTURE(first);
       const auto path = folder.path / ("first" + first);
@@ -149,11 +153,13 @@ TEST_CASE("every_pair_of_formats_round_trips_what_both_can_hold") {
       const AnyMeshFile once = io::read_any_mesh(path);
       CHECK(once.mesh.index() == sample.mesh.index());
       check_facts(original, facts_of(once), holds_cells_data(first), holds_fields(first));
-      for (const std::string& second : {std::string(".su2"), std::string(".vtu"), std::string(".msh"), std::string(".mesh")}) {
+      for (const std::string& second :
+           {std::string(".su2"), std::string(".vtu"), std::string(".msh"), std::string(".mesh")}) {
         CAPTURE(second);
         const auto other = folder.path / ("second" + second);
         io::write_any_mesh(other, once);
-        check_facts(original, facts_of(io::read_any_mesh(other)), holds_cells_data(first) && holds_cells_data(second),
+        check_facts(original, facts_of(io::read_any_mesh(other)),
+                    holds_cells_data(first) && holds_cells_data(second),
                     holds_fields(first) && holds_fields(second));
       }
     }
@@ -163,7 +169,8 @@ TEST_CASE("every_pair_of_formats_round_trips_what_both_can_hold") {
 TEST_CASE("what_a_format_cannot_hold_is_listed") {
   const AnyMeshFile sample = with_fields(box_with_everything());
   const std::string su2 = io::left_behind("a.su2", sample);
-  for (const char* part : {"regions (3 different ones)", "inner face", "markers of vertices", "\"heat\"", "\"stress\""})
+  for (const char* part :
+       {"regions (3 different ones)", "inner face", "markers of vertices", "\"heat\"", "\"stress\""})
     CHECK_MESSAGE(su2.find(part) != std::string::npos, part, " in: ", su2);
   CHECK(io::left_behind("a.vtu", sample).empty());
   CHECK(io::left_behind("a.msh", sample) == "markers of vertices");
@@ -197,7 +204,8 @@ TEST_CASE("a_mesh_that_stays_tangled_when_its_cells_are_turned_is_refused") {
   const Folder folder;
   std::ofstream(folder.path / "fold.su2")
       << "NDIME= 2\nNELEM= 2\n5 0 1 2\n5 1 0 3\nNPOIN= 4\n0 0\n1 0\n0 1\n0.2 0.3\nNMARK= 0\n";
-  CHECK(refusal([&] { (void)io::read_any_mesh(folder.path / "fold.su2"); }).find("same side") != std::string::npos);
+  CHECK(refusal([&] { (void)io::read_any_mesh(folder.path / "fold.su2"); }).find("same side") !=
+        std::string::npos);
 }
 
 TEST_CASE("vertices_without_cells_are_dropped_with_the_rows_of_their_fields") {
@@ -241,7 +249,8 @@ TEST_CASE("gmsh_elements_keep_groups_entities_and_what_is_none") {
   const Folder folder;
   AnyMeshFile plain{grid_with_hole(), {}, {}, {}};  // regions 0
   io::write_any_mesh(folder.path / "a.msh", plain);
-  CHECK(std::get<TriangleMesh>(io::read_any_mesh(folder.path / "a.msh").mesh) == std::get<TriangleMesh>(plain.mesh));
+  CHECK(std::get<TriangleMesh>(io::read_any_mesh(folder.path / "a.msh").mesh) ==
+        std::get<TriangleMesh>(plain.mesh));
 }
 
 TEST_CASE("a_surface_is_told_closed_or_open_and_its_contacts_are_counted") {

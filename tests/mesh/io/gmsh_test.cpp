@@ -286,6 +286,7 @@ TEST_CASE("gmsh_carries_triangle_meshes_too") {
     CHECK(back.warnings.empty());
     check_same_mesh(mesh, back.mesh);
   }
-  CHECK(refusal([&] { (void)io::parse_gmsh(old_file, "m.msh"); }).find("cells of space") != std::string::npos);
+  CHECK(refusal([&] { (void)io::parse_gmsh(old_file, "m.msh"); }).find("cells of space") !=
+        std::string::npos);
   CHECK(refusal([&] { parse(io::format_gmsh(mesh)); }).find("no cells of space") != std::string::npos);
 }

@@ -63,14 +63,16 @@ TEST_CASE("medit_sections_may_come_in_any_order_and_entries_span_lines") {
 }
 
 TEST_CASE("harmless_medit_sections_are_passed_over_with_a_warning_if_they_hold_anything") {
-  const std::string text = replaced(two, "Tetrahedra",
-                                    "Edges\n2\n1 2 5\n2 3 5\nCorners 3\n1 2 3\nRidges\n0\nNormals\n1\n0 0 1.5\n"
-                                    "NormalAtVertices 1\n1 1\nTetrahedra");
+  const std::string text =
+      replaced(two, "Tetrahedra",
+               "Edges\n2\n1 2 5\n2 3 5\nCorners 3\n1 2 3\nRidges\n0\nNormals\n1\n0 0 1.5\n"
+               "NormalAtVertices 1\n1 1\nTetrahedra");
   const TetMeshFile file = parse(text);
   CHECK(file.mesh == parse(two).mesh);
   REQUIRE(file.warnings.size() == 5);
   CHECK(file.warnings[0] == "m.mesh:21: the section Corners (3 entries) was passed over");
-  CHECK(std::count(file.warnings.begin(), file.warnings.end(), "the section Edges (2 entries) was passed over") == 1);
+  CHECK(std::count(file.warnings.begin(), file.warnings.end(),
+                   "the section Edges (2 entries) was passed over") == 1);
 }
 
 TEST_CASE("medit_bad_input_is_refused_with_its_line") {

@@ -145,8 +145,12 @@ TEST_CASE("su2_bad_input_is_refused_with_line_and_ids") {
       {"edge marked twice",
        replaced(replaced(square, "3 3 0\n", "3 3 0\n3 0 1\n"), "ELEMS= 3", "ELEMS= 4"),
        {"m.su2", "0-1", "second time"}},
-      {"zero area", replaced(square, "1 1 2\n", "0.5 0 2\n"), {"m.su2:3", "triangle 0", "area zero", "(0.5, 0)"}},
-      {"repeated corner", replaced(square, "5 0 1 2", "5 0 1 1"), {"m.su2:3", "triangle 0", "vertex 1 twice"}},
+      {"zero area",
+       replaced(square, "1 1 2\n", "0.5 0 2\n"),
+       {"m.su2:3", "triangle 0", "area zero", "(0.5, 0)"}},
+      {"repeated corner",
+       replaced(square, "5 0 1 2", "5 0 1 1"),
+       {"m.su2:3", "triangle 0", "vertex 1 twice"}},
       {"NaN", replaced(square, "1 1 2\n", "1 nan 2\n"), {"m.su2:8", "\"nan\" is not finite", "y coordinate"}},
       {"infinity", replaced(square, "1 1 2\n", "-inf 1 2\n"), {"m.su2:8", "\"-inf\" is not finite"}},
       {"too large", replaced(square, "1 1 2\n", "1e999 1 2\n"), {"m.su2:8", "1e999", "range of double"}},
@@ -191,7 +195,9 @@ TEST_CASE("su2_bad_input_is_refused_with_line_and_ids") {
       {"crossed quadrilateral",
        quadrilateral("0 0\n1 1\n1 0\n0 1\n"),
        {"m.su2:3", "quadrilateral 0", "crosses itself"}},
-      {"flat quadrilateral", quadrilateral("0 0\n1 0\n2 0\n3 0\n"), {"m.su2:3", "quadrilateral 0", "zero area"}}};
+      {"flat quadrilateral",
+       quadrilateral("0 0\n1 0\n2 0\n3 0\n"),
+       {"m.su2:3", "quadrilateral 0", "zero area"}}};
   check_refused(table, parse);
 }
 

@@ -143,9 +143,10 @@ TEST_CASE("unlisted_boundary_faces_get_the_marker_of_their_vertices_or_the_first
   soup.mesh.marker_names = {{2, "two"}};
   soup.mesh.vertex_markers = PerId<VertexId, Marker>(std::vector<Marker>{5, 5, 5, 0, 0});
   const TetMeshFile file = io::assemble_simplices(soup);
-  CHECK(file.warnings == std::vector<std::string>{
-                             "4 of 6 boundary faces have no marker in the file; 1 of them got the one that their "
-                             "vertices share, the others 3, named unmarked"});
+  CHECK(file.warnings ==
+        std::vector<std::string>{
+            "4 of 6 boundary faces have no marker in the file; 1 of them got the one that their "
+            "vertices share, the others 3, named unmarked"});
   CHECK_FALSE(mesh::validate(file.mesh));
   for (const MarkedFace& face : file.mesh.boundary) {
     const bool is_listed = std::any_of(listed.begin(), listed.end(), [&](const auto& f) {
