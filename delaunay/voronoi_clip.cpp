@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
@@ -42,26 +44,36 @@ int shrinking_exponent(const VoronoiDiagram& diagram, std::span<const Point2> wi
   return -std::ilogb(largest) - 1;
 }
 
+/// A corner of a cell in the making, and the line of the side from it to the next corner: a side of the window, by its number,
+/// or a bisector, by that number of sides and its place in the cell.
+struct CutCorner {
+  Vec2 at;
+  std::size_t line;
+};
+
 /// Twice the area of a polygon.
-double twice_area(std::span<const Vec2> polygon) {
+double twice_area(std::span<const CutCorner> polygon) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sum += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    sum += cross(polygon[i].at - polygon[0].at, polygon[i + 1].at - polygon[0].at);
   return sum;
 }
 
-/// The part of a convex polygon that is nearer to the origin than to `neighbour`; `cut` is room to work in.
-void cut_by_bisector(std::vector<Vec2>& polygon, Vec2 neighbour, std::vector<Vec2>& cut) {
+/// The part of a convex polygon that is nearer to the origin than to `neighbour`; `line` numbers the bisector, `cut` is room to
+/// work in.
+void cut_by_bisector(std::vector<CutCorner>& polygon, Vec2 neighbour, std::size_t line,
+                     std::vector<CutCorner>& cut) {
   const int exponent = std::ilogb(std::max(std::abs(neighbour.x), std::abs(neighbour.y)));
   const Vec2 normal{std::scalbn(neighbour.x, -exponent), std::scalbn(neighbour.y, -exponent)};
   const Vec2 middle = 0.5 * neighbour;
   const auto inside = [&](Vec2 p) { return dot(normal, middle - p); };
   cut.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
-    const double at_p = inside(p), at_q = inside(q);
-    if (at_p >= 0) cut.push_back(p);
-    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) cut.push_back(p + at_p / (at_p - at_q) * (q - p));
+    const CutCorner &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double at_p = inside(p.at), at_q = inside(q.at);
+    if (at_p >= 0) cut.push_back({p.at, at_p == 0 && at_q < 0 ? line : p.line});
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
+      cut.push_back({p.at + at_p / (at_p - at_q) * (q.at - p.at), at_p > 0 ? line : p.line});
   }
   std::swap(polygon, cut);
 }
@@ -76,8 +88,11 @@ class Clipper {
   ClippedVoronoi clip() {
     result_.first_corner.push_back(0);
     for (const VertexId site : diagram_.sites.ids()) {
-      if (!take_whole(site)) cut_out(site);
-      if (polygon_.size() < 3) result_.corners.resize(result_.first_corner.back());
+      cut_out(site);
+      if (polygon_.size() >= 3)
+        add_corners(site);
+      else
+        add_vertices(site);
       // Scaled back in two steps: twice the exponent may be beyond what one power of two holds.
       const double area = polygon_.size() < 3 ? 0 : 0.5 * std::max(0.0, twice_area(polygon_));
       result_.area.push_back(std::scalbn(std::scalbn(area, -exponent_), -exponent_));
@@ -95,41 +110,107 @@ class Clipper {
     return true;
   }
 
-  /// A cell within the window, by its vertices.
-  bool take_whole(VertexId site) {
-    if (diagram_.is_unbounded(site)) return false;
-    const std::vector<VoronoiVertexId> corners = diagram_.cell_vertices(site);
-    for (const VoronoiVertexId v : corners)
-      if (!in_window(diagram_.vertices[v])) return false;
-    const Point2 origin = scaled(diagram_.sites[site], exponent_);
-    polygon_.clear();
-    for (const VoronoiVertexId v : corners) {
-      result_.corners.push_back(diagram_.vertices[v].at);
-      polygon_.push_back(scaled(diagram_.vertices[v].at, exponent_) - origin);
-    }
-    return true;
-  }
-
+  /// The cell about its site, where differences of near coordinates lose nothing.
   void cut_out(VertexId site) {
     const Point2 origin = scaled(diagram_.sites[site], exponent_);
     polygon_.clear();
-    for (const Point2 corner : small_window_) polygon_.push_back(corner - origin);
-    for (const VoronoiEdgeId e : diagram_.cell(site)) {
+    for (std::size_t i = 0; i < small_window_.size(); ++i) polygon_.push_back({small_window_[i] - origin, i});
+    const auto cell = diagram_.cell(site);
+    for (std::size_t k = 0; k < cell.size(); ++k) {
       if (polygon_.empty()) return;
-      const Vec2 neighbour = scaled(diagram_.sites[diagram_.across(e, site)], exponent_) - origin;
+      const Vec2 neighbour = scaled(diagram_.sites[diagram_.across(cell[k], site)], exponent_) - origin;
       if (neighbour != Vec2{})
-        cut_by_bisector(polygon_, neighbour, room_);  // zero: lost beside the largest number
+        cut_by_bisector(polygon_, neighbour, window_.size() + k,
+                        room_);  // zero: lost beside the largest number
     }
-    polygon_.erase(std::unique(polygon_.begin(), polygon_.end()), polygon_.end());
-    while (polygon_.size() > 1 && polygon_.back() == polygon_.front()) polygon_.pop_back();
-    for (const Vec2 corner : polygon_) result_.corners.push_back(scaled(origin + corner, -exponent_));
+    // Of corners at one place the last one stays, whose side goes on.
+    std::vector<CutCorner>& corners = room_;
+    corners.clear();
+    for (const CutCorner& corner : polygon_) {
+      if (!corners.empty() && corners.back().at == corner.at) corners.pop_back();
+      corners.push_back(corner);
+    }
+    while (corners.size() > 1 && corners.back().at == corners.front().at) corners.pop_back();
+    std::swap(polygon_, room_);
+  }
+
+  /// The corners as both cells at a side have them: vertices of the diagram, corners of the window, and crossings of an edge with
+  /// a side of the window, which are found once.
+  void add_corners(VertexId site) {
+    const Point2 origin = scaled(diagram_.sites[site], exponent_);
+    const std::size_t first = result_.corners.size();
+    for (std::size_t i = 0; i < polygon_.size(); ++i) {
+      const std::size_t before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1].line,
+                        after = polygon_[i].line;
+      places_of(site, before, after, scaled(origin + polygon_[i].at, -exponent_));
+      result_.corners.insert(result_.corners.end(), places_.begin(), places_.end());
+    }
+    drop_repeated(first);
+  }
+
+  /// The corners of a cell in the window that is smaller than the rounding of its neighbours' places.
+  void add_vertices(VertexId site) {
+    if (diagram_.is_unbounded(site)) return;
+    const std::vector<VoronoiVertexId> corners = diagram_.cell_vertices(site);
+    if (!std::all_of(corners.begin(), corners.end(),
+                     [&](VoronoiVertexId v) { return in_window(diagram_.vertices[v]); }))
+      return;
+    const std::size_t first = result_.corners.size();
+    for (const VoronoiVertexId v : corners) result_.corners.push_back(diagram_.vertices[v].at);
+    drop_repeated(first);
+  }
+
+  /// Of corners at one place one stays; a cell that is thinner than doubles tell keeps them all, so that it has a place.
+  void drop_repeated(std::size_t first) {
+    auto& corners = result_.corners;
+    const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
+    shared_.assign(begin, corners.end());
+    shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
+    while (shared_.size() > 1 && shared_.back() == shared_.front()) shared_.pop_back();
+    if (shared_.size() < 3) return;
+    corners.resize(first);
+    corners.insert(corners.end(), shared_.begin(), shared_.end());
+  }
+
+  /// Where the line `before` meets the line `after`, into places_; several vertices of the diagram where edges between them are
+  /// shorter than rounding.
+  void places_of(VertexId site, std::size_t before, std::size_t after, Point2 rounded) {
+    const std::size_t sides = window_.size();
+    const auto cell = diagram_.cell(site);
+    places_.assign(1, rounded);
+    if (before < sides && after < sides) {
+      if (after == (before + 1) % sides) places_[0] = window_[after];
+    } else if (before >= sides && after >= sides) {
+      std::vector<Point2> chain;
+      for (std::size_t k = before - sides; k != after - sides; k = (k + 1) % cell.size()) {
+        const MaybeId<VoronoiVertexId> vertex = common_vertex(cell[k], cell[(k + 1) % cell.size()]);
+        if (!vertex || !in_window(diagram_.vertices[*vertex])) return;
+        chain.push_back(diagram_.vertices[*vertex].at);
+      }
+      places_ = std::move(chain);
+    } else {
+      const VoronoiEdgeId edge = cell[std::max(before, after) - sides];
+      const std::size_t side = std::min(before, after);
+      const Point2 a = window_[side], b = window_[(side + 1) % sides];
+      if (a.x == b.x) rounded.x = a.x;
+      if (a.y == b.y) rounded.y = a.y;
+      places_[0] = crossings_.emplace(std::pair(edge, side), rounded).first->second;
+    }
+  }
+
+  [[nodiscard]] MaybeId<VoronoiVertexId> common_vertex(VoronoiEdgeId a, VoronoiEdgeId b) const {
+    for (const auto end : diagram_.edges[a].ends)
+      if (end && (end == diagram_.edges[b].ends[0] || end == diagram_.edges[b].ends[1])) return end;
+    return {};
   }
 
   const VoronoiDiagram& diagram_;
   std::span<const Point2> window_;
   int exponent_;
   std::vector<Point2> small_window_;
-  std::vector<Vec2> polygon_, room_;  ///< of the cell in hand, scaled, about its site
+  std::vector<CutCorner> polygon_, room_;  ///< of the cell in hand, scaled, about its site
+  std::map<std::pair<VoronoiEdgeId, std::size_t>, Point2> crossings_;  ///< of edges with sides of the window
+  std::vector<Point2> places_, shared_;
   ClippedVoronoi result_;
 };
 

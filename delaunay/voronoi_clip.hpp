@@ -29,10 +29,12 @@ struct ClippedVoronoi {
 
 /// Cut the cells to a window. The areas add up to the window's, to rounding of the coordinates.
 ///
-/// A cell within the window keeps its vertices' coordinates as they are. Any other is cut out of the window by the
-/// bisectors between its site and its neighbours (Sutherland and Hodgman, CACM 17 (1974) 32-42), in coordinates about
-/// the site scaled by a power of two: neither far circumcentres nor huge coordinates spoil it, errors are some units in
-/// the last place of the window's size, and cells of sites with small whole coordinates are exact.
+/// A cell is cut out of the window by the bisectors between its site and its neighbours (Sutherland and Hodgman, CACM 17 (1974)
+/// 32-42), in coordinates about the site scaled by a power of two: neither far circumcentres nor huge coordinates spoil it, errors
+/// are some units in the last place of the window's size, and cells of sites with small whole coordinates are exact. The area is
+/// that of this polygon, so it keeps its digits far from the origin. The corners are those that both cells at a side have: the
+/// diagram's vertices, and crossings of its edges with the window's sides, which are found once; so neighbours share their
+/// corners to the last bit.
 ///
 /// window  corners of a convex polygon, counter-clockwise; three or more, not all on one line
 /// throws  InputError for a window that is not finite, not convex or not counter-clockwise

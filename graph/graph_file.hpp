@@ -20,7 +20,7 @@ namespace leonhard::graph {
 struct GraphFile {
   CsrGraph graph{};
 
-  std::uint32_t weights_each{};              ///< weights of a vertex: 0 where the file gives none
+  std::uint32_t weights_each{};                ///< weights of a vertex: 0 where the file gives none
   std::vector<std::int64_t> vertex_weights{};  ///< weights_each a vertex, vertex after vertex
   std::vector<std::int64_t> edge_weights{};    ///< one a directed edge in the graph's order, or empty
 
@@ -49,13 +49,18 @@ struct GraphFile {
 /// source  names the text in errors, here and below
 [[nodiscard]] GraphFile parse_metis_graph(std::string_view text, const std::string& source);
 
-/// A square Matrix Market matrix in coordinates, of any field; its values are left out. A `general` matrix must be
-/// symmetric in structure; the other symmetries need one entry of each pair only.
+/// A square Matrix Market matrix in coordinates or as an array, of any field; its values are left out, zeros of an array being
+/// no entries. A `general` matrix must be symmetric in structure; the other symmetries need one entry of each pair only. The
+/// banner may begin with one % or two.
 [[nodiscard]] GraphFile parse_matrix_market(std::string_view text, const std::string& source);
 
-/// One edge a line, two vertices numbered from 0, and an optional whole weight on every line, separated by blanks or
-/// commas; # and % start comments; a first line that begins with a letter is a header. There are as many vertices as
-/// the largest number asks for.
+/// One edge a line, two vertices and an optional weight on every line, separated by semicolons, commas, tabs or blanks; # and
+/// % start comments; a first line that begins with a letter is a header. If it names two columns source and target (from and
+/// to, ...), in any order, these are read, and weight if there is one; the others are left out.
+///
+/// Vertices are numbered from 0, or from 1 where none is 0; there are as many as the largest number asks for. Where they have
+/// names they are numbered in the order in which these come. Weights that are no whole numbers are scaled and rounded. The
+/// warnings tell each of these.
 [[nodiscard]] GraphFile parse_edge_list(std::string_view text, const std::string& source);
 
 /// METIS's format, with whichever weights are given.

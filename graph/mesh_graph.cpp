@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/mesh_dual.hpp"
+#include "leonhard/mesh/mixed_topology.hpp"
 
 namespace leonhard::graph {
 namespace {
@@ -189,6 +191,31 @@ CsrGraph vertex_graph(const TriangleMesh& mesh, const EdgeStructure& edges) {
     list.push_back({static_cast<std::uint32_t>(ends[0].raw), static_cast<std::uint32_t>(ends[1].raw)});
   return graph_from_edges(vertices, list).graph;
 }
+
+template <int Dim>
+CsrGraph vertex_graph(const MixedMesh<Dim>& mesh) {
+  const std::uint32_t vertices = as_vertex_count(mesh.vertex_count(), "vertices");
+  const EdgeList edges = mesh::build_edges(mesh);
+  std::vector<Edge> list;
+  list.reserve(edges.edge_count());
+  for (const auto& ends : edges.ends)
+    list.push_back({static_cast<std::uint32_t>(ends[0].raw), static_cast<std::uint32_t>(ends[1].raw)});
+  return graph_from_edges(vertices, list).graph;
+}
+
+template <int Dim>
+CsrGraph dual_graph(const MixedMesh<Dim>& mesh) {
+  const std::uint32_t cells = as_vertex_count(mesh.cell_count(), "cells");
+  std::vector<Edge> list;
+  for (const auto& [a, b] : mesh::neighbouring_cells(mesh))
+    list.push_back({static_cast<std::uint32_t>(a.raw), static_cast<std::uint32_t>(b.raw)});
+  return graph_from_edges(cells, list).graph;
+}
+
+template CsrGraph vertex_graph(const MixedMesh<2>&);
+template CsrGraph vertex_graph(const MixedMesh<3>&);
+template CsrGraph dual_graph(const MixedMesh<2>&);
+template CsrGraph dual_graph(const MixedMesh<3>&);
 
 CsrGraph vertex_graph(const TetMesh& mesh) {
   const std::uint32_t vertices = as_vertex_count(mesh.vertex_count(), "vertices");

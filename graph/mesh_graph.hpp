@@ -14,6 +14,7 @@
 #include "leonhard/mesh/edge_list.hpp"
 #include "leonhard/mesh/compressed_rows.hpp"
 #include "leonhard/mesh/edges.hpp"
+#include "leonhard/mesh/mixed_mesh.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -118,6 +119,20 @@ struct EdgeListGraph {
 /// throws  as for triangles
 /// Cost O(tetrahedra).
 [[nodiscard]] CsrGraph dual_graph(const TetMesh& mesh);
+
+/// The graph of the vertices and edges of a mesh of mixed cells; diagonals of quadrilaterals are no edges.
+///
+/// throws  InputError as mesh::build_edges, and on a mesh too large
+/// Cost O(vertices + cells).
+template <int Dim>
+[[nodiscard]] CsrGraph vertex_graph(const MixedMesh<Dim>& mesh);
+
+/// The dual graph of a mesh of mixed cells: one vertex a cell, an edge where two share a facet.
+///
+/// throws  InputError as mesh::neighbouring_cells, and on a mesh too large
+/// Cost O(vertices + cells log degree).
+template <int Dim>
+[[nodiscard]] CsrGraph dual_graph(const MixedMesh<Dim>& mesh);
 
 /// The length of every directed edge, in the graph's sequence: weights for shortest paths.
 ///

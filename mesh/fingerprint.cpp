@@ -27,24 +27,25 @@ std::array<std::uint64_t, 3> point_bits(const Point3& p) {
   return {bits_of(p.x), bits_of(p.y), bits_of(p.z)};
 }
 
-template <class Points, std::size_t N>
-Fingerprint cell_hash(const Points& points, const std::array<VertexId, N>& corners) {
-  std::array<decltype(point_bits(points[corners[0]])), N> bits;
-  for (std::size_t i = 0; i < N; ++i) bits[i] = point_bits(points[corners[i]]);
-  std::sort(bits.begin(), bits.end());
+template <class Points, class Corners>
+Fingerprint cell_hash(const Points& points, const Corners& corners) {
+  std::array<decltype(point_bits(points[corners[0]])), most_cell_corners> bits;
+  const auto end = bits.begin() + static_cast<std::ptrdiff_t>(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) bits[i] = point_bits(points[corners[i]]);
+  std::sort(bits.begin(), end);
   Hash128 hash;
-  for (const auto& point : bits) {
-    for (const std::uint64_t word : point) hash.take(word);
+  for (auto point = bits.begin(); point != end; ++point) {
+    for (const std::uint64_t word : *point) hash.take(word);
   }
   return {hash.hi(), hash.lo()};
 }
 
-template <class Mesh>
-Fingerprint fingerprint_of(const Mesh& mesh) {
-  require_corners_in_range(mesh);
+/// Of all cells; corners_of(i): of cell i.
+template <class Points, class CornersOf>
+Fingerprint fingerprint_of(const Points& points, std::size_t count, CornersOf corners_of) {
   std::vector<Fingerprint> cells;
-  cells.reserve(mesh.corners.size());
-  for (const auto& corners : mesh.corners) cells.push_back(cell_hash(mesh.points, corners));
+  cells.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) cells.push_back(cell_hash(points, corners_of(i)));
   std::sort(cells.begin(), cells.end(), [](const Fingerprint& a, const Fingerprint& b) {
     return a.hi != b.hi ? a.hi < b.hi : a.lo < b.lo;
   });
@@ -58,8 +59,24 @@ Fingerprint fingerprint_of(const Mesh& mesh) {
 
 }  // namespace
 
-Fingerprint fingerprint(const TriangleMesh& mesh) { return fingerprint_of(mesh); }
-Fingerprint fingerprint(const TetMesh& mesh) { return fingerprint_of(mesh); }
+Fingerprint fingerprint(const TriangleMesh& mesh) {
+  require_corners_in_range(mesh);
+  return fingerprint_of(
+      mesh.points, mesh.cell_count(), [&](std::size_t i) -> const auto& { return mesh.corners.flat()[i]; });
+}
+Fingerprint fingerprint(const TetMesh& mesh) {
+  require_corners_in_range(mesh);
+  return fingerprint_of(
+      mesh.points, mesh.cell_count(), [&](std::size_t i) -> const auto& { return mesh.corners.flat()[i]; });
+}
+Fingerprint fingerprint(const MixedMesh<2>& mesh) {
+  require_ids_in_range(mesh);
+  return fingerprint_of(mesh.points, mesh.cell_count(), [&](std::size_t i) { return mesh.corners[i]; });
+}
+Fingerprint fingerprint(const MixedMesh<3>& mesh) {
+  require_ids_in_range(mesh);
+  return fingerprint_of(mesh.points, mesh.cell_count(), [&](std::size_t i) { return mesh.corners[i]; });
+}
 
 }  // namespace mesh
 }  // namespace leonhard

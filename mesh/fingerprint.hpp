@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "leonhard/mesh/mixed_mesh.hpp"
 #include "leonhard/mesh/tet_mesh.hpp"
 #include "leonhard/mesh/triangle_mesh.hpp"
 
@@ -19,12 +20,14 @@ struct Fingerprint {
 
 namespace mesh {
 
-/// The mesh's fingerprint: each cell (triangle, tetrahedron) is hashed from the sorted bit patterns of its corners'
+/// The mesh's fingerprint: each cell is hashed from the sorted bit patterns of its corners'
 /// coordinates (-0 taken as 0), the hashes are sorted and hashed in that order. So the numbering of vertices and cells
 /// and the order of a cell's corners do not enter; neither do markers, names and neighbours. Not a defence against someone
 /// who constructs collisions. throws InputError on a corner that is no vertex. Cost O(cells log cells).
 [[nodiscard]] Fingerprint fingerprint(const TriangleMesh& mesh);
 [[nodiscard]] Fingerprint fingerprint(const TetMesh& mesh);
+[[nodiscard]] Fingerprint fingerprint(const MixedMesh<2>& mesh);
+[[nodiscard]] Fingerprint fingerprint(const MixedMesh<3>& mesh);
 
 }  // namespace mesh
 }  // namespace leonhard

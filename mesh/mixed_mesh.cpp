@@ -106,6 +106,7 @@ MixedMesh<Dim> mixed_mesh_of(const SimplexMesh<Dim>& mesh) {
   mixed.vertex_markers = mesh.vertex_markers;
   mixed.regions = PerId<CellId, double>(mesh.regions.flat());
   mixed.marker_names = mesh.marker_names;
+  mixed.region_names = mesh.region_names;
   return mixed;
 }
 
@@ -129,6 +130,7 @@ SimplexMesh<Dim> simplex_mesh_of(const MixedMesh<Dim>& mixed) {
   mesh.vertex_markers = mixed.vertex_markers;
   mesh.regions = PerId<typename Simplex<Dim>::CellId, double>(mixed.regions.flat());
   mesh.marker_names = mixed.marker_names;
+  mesh.region_names = mixed.region_names;
   build_neighbours(mesh);
   return mesh;
 }

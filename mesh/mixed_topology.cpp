@@ -80,6 +80,21 @@ std::vector<MarkedMixedFacet<Dim>> boundary_facets(const MixedMesh<Dim>& mesh, M
 }
 
 template <int Dim>
+std::vector<std::array<CellId, 2>> neighbouring_cells(const MixedMesh<Dim>& mesh) {
+  const std::string remedy = "correct the list of cells";
+  require_ids_in_range(mesh);
+  refuse(repeated_corner(mesh), "mesh", remedy);
+  const MixedSides<Dim> sides(mesh);
+  refuse(broken_facet(mesh, sides), "mesh", remedy);
+  std::vector<std::array<CellId, 2>> pairs;
+  sides.for_each_facet_until([&](auto group) {
+    if (group.size() == 2) pairs.push_back({group[0].cell, group[1].cell});
+    return false;
+  });
+  return pairs;
+}
+
+template <int Dim>
 MixedMesh<Dim> make_mixed_mesh(MixedMesh<Dim> mesh, const std::string& source,
                                const MarkedFacetRules& rules) {
   if (mesh.regions.empty()) mesh.regions.resize(mesh.cell_count(), 0.0);
@@ -102,6 +117,8 @@ MixedMesh<Dim> make_mixed_mesh(MixedMesh<Dim> mesh, const std::string& source,
 
 template std::vector<MarkedMixedFacet<2>> boundary_facets(const MixedMesh<2>&, Marker);
 template std::vector<MarkedMixedFacet<3>> boundary_facets(const MixedMesh<3>&, Marker);
+template std::vector<std::array<CellId, 2>> neighbouring_cells(const MixedMesh<2>&);
+template std::vector<std::array<CellId, 2>> neighbouring_cells(const MixedMesh<3>&);
 template MixedMesh<2> make_mixed_mesh(MixedMesh<2>, const std::string&, const MarkedFacetRules&);
 template MixedMesh<3> make_mixed_mesh(MixedMesh<3>, const std::string&, const MarkedFacetRules&);
 

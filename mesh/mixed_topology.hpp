@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,13 @@ namespace leonhard::mesh {
 template <int Dim>
 [[nodiscard]] std::vector<MarkedMixedFacet<Dim>> boundary_facets(const MixedMesh<Dim>& mesh,
                                                                  Marker marker = 1);
+
+/// The pairs of cells that share a facet, the smaller one first, each pair as often as it shares facets.
+///
+/// throws  InputError as boundary_facets does
+/// Cost O(vertices + cells log degree).
+template <int Dim>
+[[nodiscard]] std::vector<std::array<CellId, 2>> neighbouring_cells(const MixedMesh<Dim>& mesh);
 
 /// A checked mesh from what a file or a generator holds. `mesh::validate` finds nothing wrong with the result.
 ///

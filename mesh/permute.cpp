@@ -151,6 +151,40 @@ SimplexMesh<Dim> renumber_vertices(const SimplexMesh<Dim>& mesh, const PerId<Ver
 }
 
 template <int Dim>
+RenumberedMixed<Dim> renumber(const MixedMesh<Dim>& mesh, const PerId<VertexId, VertexId>& new_of_old) {
+  check_permutation(mesh.vertex_count(), new_of_old);
+  require_ids_in_range(mesh);
+  RenumberedMixed<Dim> result{{}, PerId<CellId, CellId>(mesh.cell_count())};
+  result.mesh.points = renumbered(mesh.points, new_of_old);
+  result.mesh.vertex_markers = renumbered(mesh.vertex_markers, new_of_old);
+  result.mesh.marker_names = mesh.marker_names;
+  result.mesh.region_names = mesh.region_names;
+  result.mesh.boundary = mesh.boundary;
+  result.mesh.inner_facets = mesh.inner_facets;
+  for (auto* facets : {&result.mesh.boundary, &result.mesh.inner_facets})
+    for (auto& facet : *facets)
+      for (std::size_t i = 0; i < facet.corners.size(); ++i) facet.corners[i] = new_of_old[facet.corners[i]];
+
+  std::vector<std::pair<std::vector<VertexId>, CellId>> order;  // by ascending new vertices
+  order.reserve(mesh.cell_count());
+  for (const CellId cell : mesh.kinds.ids()) {
+    std::vector<VertexId> corners;
+    for (const VertexId v : mesh.corners_of(cell)) corners.push_back(new_of_old[v]);
+    std::sort(corners.begin(), corners.end());
+    order.emplace_back(std::move(corners), cell);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [sorted, old] : order) {
+    std::vector<VertexId> corners;
+    for (const VertexId v : mesh.corners_of(old)) corners.push_back(new_of_old[v]);
+    const CellId id = result.mesh.add_cell(mesh.kinds[old], corners);
+    result.mesh.regions[id] = mesh.regions[old];
+    result.new_cell[old] = id;
+  }
+  return result;
+}
+
+template <int Dim>
 MeshDual<Dim> renumber_vertices(const MeshDual<Dim>& dual, const PerId<VertexId, VertexId>& new_of_old) {
   check_permutation(dual.vertex_count(), new_of_old);
   MeshDual<Dim> result;
@@ -175,6 +209,8 @@ template Renumbered<2> renumber(const SimplexMesh<2>&, const PerId<VertexId, Ver
 template Renumbered<3> renumber(const SimplexMesh<3>&, const PerId<VertexId, VertexId>&, CellOrder);
 template TriangleMesh renumber_vertices(const SimplexMesh<2>&, const PerId<VertexId, VertexId>&, CellOrder);
 template TetMesh renumber_vertices(const SimplexMesh<3>&, const PerId<VertexId, VertexId>&, CellOrder);
+template RenumberedMixed<2> renumber(const MixedMesh<2>&, const PerId<VertexId, VertexId>&);
+template RenumberedMixed<3> renumber(const MixedMesh<3>&, const PerId<VertexId, VertexId>&);
 template MeshDual<2> renumber_vertices(const MeshDual<2>&, const PerId<VertexId, VertexId>&);
 template MeshDual<3> renumber_vertices(const MeshDual<3>&, const PerId<VertexId, VertexId>&);
 

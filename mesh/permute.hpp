@@ -40,6 +40,18 @@ template <int Dim>
                                                  const PerId<VertexId, VertexId>& new_of_old,
                                                  CellOrder order = CellOrder::by_smallest_vertex);
 
+/// A mesh of mixed cells in another numbering, and where its cells went.
+template <int Dim>
+struct RenumberedMixed {
+  MixedMesh<Dim> mesh;
+  PerId<CellId, CellId> new_cell;  ///< of each old cell
+};
+
+/// renumber() of mixed cells: these are sorted by new vertices in ascending order.
+template <int Dim>
+[[nodiscard]] RenumberedMixed<Dim> renumber(const MixedMesh<Dim>& mesh,
+                                            const PerId<VertexId, VertexId>& new_of_old);
+
 /// The same dual with other vertex numbers: edges are sorted anew, and a face vector whose edge's ends change places is
 /// turned; boundary facets keep their order, and each the order of its corners. No value changes but for such signs.
 ///

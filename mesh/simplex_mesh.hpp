@@ -53,6 +53,7 @@ struct SimplexMesh : Simplex<Dim>::InnerFacets {
   PerId<VertexId, Marker> vertex_markers;  ///< one a vertex, 0 where none
   PerId<CellId, double> regions;  ///< regional attribute, 0 where none (Triangle's and TetGen's convention)
   std::map<Marker, std::string> marker_names;  ///< e.g. 1 -> "airfoil"
+  std::map<Marker, std::string> region_names;  ///< of regions that are whole numbers, e.g. 2 -> "steel"
 
   [[nodiscard]] std::size_t vertex_count() const { return points.size(); }
   [[nodiscard]] std::size_t cell_count() const { return corners.size(); }

@@ -80,6 +80,7 @@ SplitMesh<Dim> split_cells(const MixedMesh<Dim>& mesh) {
   split.mesh.points = mesh.points;
   split.mesh.vertex_markers = mesh.vertex_markers;
   split.mesh.marker_names = mesh.marker_names;
+  split.mesh.region_names = mesh.region_names;
   for (const CellId cell : mesh.kinds.ids()) split_one(mesh, cell, split);
   split.mesh.boundary = split_facets(mesh.boundary);
   split.mesh.inner_facets() = split_facets(mesh.inner_facets);

@@ -15,7 +15,7 @@
 
 namespace leonhard::app {
 
-enum class TrailingEdge { sharp, open, closed };  ///< body.trailing_edge, see geometry/naca4.hpp
+enum class TrailingEdge { sharp, open, closed };         ///< body.trailing_edge, see geometry/naca4.hpp
 enum class ViscosityLaw { sutherland, constant };        ///< flow.viscosity
 enum class OrderChoice { reverse_cuthill_mckee, none };  ///< order.method
 
@@ -23,6 +23,7 @@ enum class OrderChoice { reverse_cuthill_mckee, none };  ///< order.method
 struct BodyCase {
   std::string name;            ///< unique in the case; "body1", "body2" ... if not given
   std::filesystem::path file;  ///< airfoil coordinates; empty for a NACA section
+  std::size_t element = 0;     ///< of a file of several, from 1; 0: the only one
   std::string naca;            ///< four digits; empty for a file
   TrailingEdge trailing_edge = TrailingEdge::sharp;  ///< NACA sections only
   std::optional<double> corner_angle_deg;  ///< files only: where the outline turns by more it keeps a corner

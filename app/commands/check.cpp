@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/meshes/read_request.hpp"
 #include "leonhard/app/points/points_dimension.hpp"
 #include "leonhard/app/points/read_any_points.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
+#include "leonhard/app/report/mixed_report.hpp"
 #include "leonhard/app/report/points3_report.hpp"
 #include "leonhard/app/report/points_report.hpp"
+#include "leonhard/app/report/surface_report.hpp"
 #include "leonhard/app/report/tet_report.hpp"
+#include "leonhard/mesh/io/any_mesh_file.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
-#include "leonhard/mesh/io/file_dimension.hpp"
-#include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/points3_file.hpp"
-#include "leonhard/mesh/io/tet_mesh_file.hpp"
+#include "leonhard/mesh/io/surface_account.hpp"
+#include "leonhard/mesh/io/surface_file.hpp"
 
 namespace leonhard::app {
 namespace {
 
 struct CheckOptions {
   CommonOptions common;
+  ReadRequest reading;
   std::string file;
 };
 
@@ -39,11 +45,22 @@ void show(const CheckOptions& options, const Report& report, const std::vector<s
   }
 }
 
+MeshReport report_of(const TriangleMesh& mesh) { return mesh_report(mesh); }
+TetReport report_of(const TetMesh& mesh) { return tet_mesh_report(mesh); }
+template <int Dim>
+MixedReport report_of(const MixedMesh<Dim>& mesh) {
+  return mixed_report(mesh);
+}
+
 ExitCode check_mesh(const CheckOptions& options) {
-  const MeshFile file = io::read_mesh(options.file);
-  const MeshReport report = mesh_report(file.mesh);
-  show(options, report, file.warnings);
-  return report.is_sound() ? ExitCode::done : ExitCode::goal_not_met;
+  const AnyMeshFile file = io::read_any_mesh(options.file, options.reading.options());
+  return std::visit(
+      [&](const auto& mesh) {
+        const auto report = report_of(mesh);
+        show(options, report, file.warnings);
+        return report.is_sound() ? ExitCode::done : ExitCode::goal_not_met;
+      },
+      file.mesh);
 }
 
 ExitCode check_points(const CheckOptions& options) {
@@ -55,13 +72,6 @@ ExitCode check_points(const CheckOptions& options) {
   const PointsReport report = points_report(file.set.points, work);
   show(options, report, file.warnings);
   return report.outcome == delaunay::TriangulateOutcome::stopped ? ExitCode::stopped : ExitCode::done;
-}
-
-ExitCode check_tet_mesh(const CheckOptions& options) {
-  const TetMeshFile file = io::read_tet_mesh(options.file);
-  const TetReport report = tet_mesh_report(file.mesh);
-  show(options, report, file.warnings);
-  return report.is_sound() ? ExitCode::done : ExitCode::goal_not_met;
 }
 
 ExitCode check_points3(const CheckOptions& options) {
@@ -76,11 +86,26 @@ ExitCode check_points3(const CheckOptions& options) {
   return report.outcome == delaunay::TetrahedralizeOutcome::stopped ? ExitCode::stopped : ExitCode::done;
 }
 
+/// Formats that hold nothing but surfaces.
+bool is_surface_file(const std::string& file) {
+  static const std::vector<std::string> known{".off", ".obj", ".stl", ".ply", ".smesh"};
+  return std::ranges::count(known, io::small_extension(file)) > 0;
+}
+
+ExitCode check_surface(const CheckOptions& options) {
+  SurfaceFile surface = io::read_surface(options.file);
+  if (options.reading.weld >= 0) io::weld(surface, options.reading.weld);
+  const SurfaceAccount account = io::surface_account(surface);
+  show(options, account, surface.warnings);
+  const bool sound = account.is_manifold() && account.is_oriented() && account.contacts == 0;
+  return sound ? ExitCode::done : ExitCode::goal_not_met;
+}
+
 ExitCode check(const CheckOptions& options) {
   if (is_points_file(options.file)) {
     return points_dimension(options.file) == 3 ? check_points3(options) : check_points(options);
   }
-  return io::file_dimension(options.file) == 3 ? check_tet_mesh(options) : check_mesh(options);
+  return is_surface_file(options.file) ? check_surface(options) : check_mesh(options);
 }
 
 }  // namespace
@@ -94,6 +119,7 @@ Command check_command() {
                       "points",
                   .options = {{"file", "A mesh file, or points", &options->file, true}},
                   .run = [options] { return check(*options); }};
+  add_read_options(command, options->reading);
   add_common_options(command, options->common, "Also write the report as JSON to this file");
   return command;
 }

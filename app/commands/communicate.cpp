@@ -15,6 +15,7 @@
 #include "leonhard/app/graphs/parts_file.hpp"
 #include "leonhard/app/graphs/read_any_graph.hpp"
 #include "leonhard/app/graphs/what_if.hpp"
+#include "leonhard/app/meshes/read_request.hpp"
 #include "leonhard/app/report/communication_report.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/partition_report.hpp"
@@ -29,6 +30,7 @@ struct CommunicateCommand {
   CommonOptions common;
   PartitionRequest request;
   StepCost cost;
+  ReadRequest reading;
   std::string input, parts_file, picture, vertex_colours, edge_colours;
   std::vector<std::uint32_t> what_if;
 };
@@ -145,7 +147,7 @@ ExitCode communicate(const CommunicateCommand& command) {
   const StopOnSignal signals;
   check_names(command);
   check_step_cost(command.cost);
-  const AnyGraph input = read_any_graph(command.input, command.request.graph_of());
+  const AnyGraph input = read_any_graph(command.input, command.request.graph_of(), command.reading.options());
   for (const std::string& warning : input.warnings) console.warning(warning);
   timer.lap("read");
   const Answer answer = Communicator(command, console, signals.token())(input);
@@ -172,6 +174,7 @@ Command communicate_command() {
                    &options->input, true}},
       .run = [options] { return communicate(*options); }};
   add_partition_options(command, options->request);
+  add_read_options(command, options->reading);
   const std::vector<Option> own{
       {.names = "--parts-file",
        .help = "The parts, one a line, in place of making them",

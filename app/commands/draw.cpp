@@ -2,13 +2,13 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/commands/tet_drawing.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/meshes/cut_cells.hpp"
+#include "leonhard/app/meshes/read_request.hpp"
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
 #include "leonhard/app/report/picture_view.hpp"
@@ -17,16 +17,14 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/draw/draw.hpp"
 #include "leonhard/mesh/edges.hpp"
-#include "leonhard/mesh/io/file_dimension.hpp"
-#include "leonhard/mesh/io/mesh_file.hpp"
-#include "leonhard/mesh/io/tet_mesh_file.hpp"
-#include "leonhard/mesh/io/vtu.hpp"
+#include "leonhard/mesh/io/any_mesh_file.hpp"
 
 namespace leonhard::app {
 namespace {
 
 struct DrawCommand {
   CommonOptions common;
+  ReadRequest reading;
   std::string mesh;
   std::string what = "mesh";
   std::string field;
@@ -39,23 +37,10 @@ struct DrawCommand {
   std::string title;
 };
 
-void draw_named_field(const DrawCommand& command, const TriangleMesh& mesh, const draw::PictureSize& size) {
-  if (std::filesystem::path(command.mesh).extension() != ".vtu") {
-    throw InputError(command.mesh, "only .vtu files carry fields such as " + command.field,
-                     "give a field.vtu that solve wrote");
-  }
-  const PointField field = io::read_vtu_field(command.mesh, command.field);
-  std::vector<double> values(mesh.vertex_count());
-  for (std::size_t v = 0; v < values.size(); ++v) {  // a vector is drawn by its length
-    double sum = 0;
-    for (std::size_t i = 0; i < field.components; ++i) {
-      const double x = field.values[v * field.components + i];
-      sum += x * x;
-    }
-    values[v] = field.components == 1 ? field.values[v] : std::sqrt(sum);
-  }
+void draw_named_field(const DrawCommand& command, const AnyMeshFile& file, const TriangleMesh& mesh,
+                      const draw::PictureSize& size) {
   draw::draw_field(
-      command.common.output, mesh, values,
+      command.common.output, mesh, lengths_of(io::finite_field(file, command.field, command.mesh)),
       {.size = size, .view = plane_view(command.view), .title = command.title, .value_label = command.field});
 }
 
@@ -70,13 +55,11 @@ void check_plane(const DrawCommand& command) {
   if (command.what == "markers") refuse("--what markers");
 }
 
-std::vector<std::string> draw_triangles(const DrawCommand& command) {
+void draw_triangles(const DrawCommand& command, const AnyMeshFile& file, const TriangleMesh& mesh) {
   check_plane(command);
-  const MeshFile file = io::read_mesh(command.mesh);
-  const TriangleMesh& mesh = file.mesh;
   const draw::PictureSize size{command.size[0], command.size[1]};
   if (!command.field.empty()) {
-    draw_named_field(command, mesh, size);
+    draw_named_field(command, file, mesh, size);
   } else if (command.what == "matrix") {
     const graph::CsrGraph graph = graph::vertex_graph(mesh, mesh::build_edges(mesh));
     draw_matrix(command.common.output, graph, both_numberings(graph), command.title, size);
@@ -92,15 +75,12 @@ std::vector<std::string> draw_triangles(const DrawCommand& command) {
     draw::draw_mesh(command.common.output, mesh,
                     {.size = size, .view = plane_view(command.view), .title = command.title, .fill = fill});
   }
-  return file.warnings;
 }
 
-std::vector<std::string> draw_tetrahedra(const DrawCommand& command) {
+void draw_tetrahedra(const DrawCommand& command, const AnyMeshFile& file, const TetMesh& mesh) {
   TetDrawing drawing;
-  drawing.mesh_file = command.mesh;
   drawing.picture = command.common.output;
   drawing.what = command.what;
-  drawing.field = command.field;
   drawing.cut = command.cut;
   drawing.section = command.section;
   drawing.view = command.view;
@@ -109,14 +89,22 @@ std::vector<std::string> draw_tetrahedra(const DrawCommand& command) {
   drawing.title = command.title;
   drawing.parts = command.parts;
   drawing.seed = command.common.seed;
-  TetMeshFile file = io::read_tet_mesh(command.mesh);
-  draw_tets(drawing, file.mesh);
-  return std::move(file.warnings);
+  if (!command.field.empty()) {
+    drawing.field = command.field;
+    drawing.field_values = lengths_of(io::finite_field(file, command.field, command.mesh));
+  }
+  draw_tets(drawing, mesh);
 }
 
 ExitCode draw_file(const DrawCommand& command) {
-  const auto warnings =
-      io::file_dimension(command.mesh) == 3 ? draw_tetrahedra(command) : draw_triangles(command);
+  AnyMeshFile file = io::read_any_mesh(command.mesh, command.reading.options());
+  cut_cells(file);
+  if (const TriangleMesh* triangles = std::get_if<TriangleMesh>(&file.mesh)) {
+    draw_triangles(command, file, *triangles);
+  } else {
+    draw_tetrahedra(command, file, std::get<TetMesh>(file.mesh));
+  }
+  const std::vector<std::string>& warnings = file.warnings;
   Console console(command.common.quiet);
   for (const std::string& warning : warnings) console.warning(warning);
   if (command.common.json)
@@ -137,7 +125,7 @@ Command draw_command() {
                    .target = &options->what,
                    .shows_default = true,
                    .choices = {"mesh", "quality", "regions", "markers", "partition", "matrix"}},
-                  {"--field", "A point field of a .vtu file, e.g. mach", &options->field},
+                  {"--field", "A point field of the file, e.g. mach", &options->field},
                   {.names = "--parts",
                    .help = "Parts of the partition",
                    .target = &options->parts,
@@ -168,6 +156,7 @@ Command draw_command() {
                    .shows_default = true},
                   {"--title", "Title of the picture", &options->title}},
       .run = [options] { return draw_file(*options); }};
+  add_read_options(command, options->reading);
   add_common_options(command, options->common, "The picture: .png, .svg or .pdf", OutputFile::required);
   return command;
 }

@@ -11,6 +11,8 @@
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/graphs/read_any_graph.hpp"
+#include "leonhard/app/meshes/read_request.hpp"
+#include "leonhard/app/meshes/renumber_file.hpp"
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
@@ -19,16 +21,14 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
-#include "leonhard/mesh/io/mesh_file.hpp"
 #include "leonhard/mesh/io/number_text.hpp"
-#include "leonhard/mesh/io/tet_mesh_file.hpp"
-#include "leonhard/mesh/permute.hpp"
 
 namespace leonhard::app {
 namespace {
 
 struct OrderCommand {
   CommonOptions common;
+  ReadRequest reading;
   std::string input, method = "reverse-cuthill-mckee", start = "natural", picture;
   bool cells = false;
 };
@@ -138,25 +138,16 @@ std::string order_text(const std::vector<std::uint32_t>& order) {
   return text;
 }
 
-graph::CsrGraph renumbered(const graph::CsrGraph& graph, const std::vector<std::uint32_t>& order) {
+graph::CsrGraph renumbered_graph(const graph::CsrGraph& graph, const std::vector<std::uint32_t>& order) {
   graph::SubgraphExtractor extract(graph);
   return extract(order);
 }
 
-template <class Mesh>
-Mesh renumbered(const Mesh& mesh, const std::vector<std::uint32_t>& order) {
-  PerId<VertexId, VertexId> new_of_old(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) new_of_old[VertexId::from(order[i])] = VertexId::from(i);
-  return mesh::renumber_vertices(mesh, new_of_old);
-}
-
 std::vector<std::string> output_extensions(const AnyGraph& input) {
   std::vector<std::string> known{".txt", ".graph"};
-  const auto add = [&](const std::vector<std::string>& some) {
-    known.insert(known.end(), some.begin(), some.end());
-  };
-  if (input.triangles()) add(io::mesh_extensions());
-  if (input.tets()) add(io::tet_mesh_extensions());
+  if (!input.file) return known;
+  const std::vector<std::string> of_meshes = io::any_mesh_output_extensions(*input.file);
+  known.insert(known.end(), of_meshes.begin(), of_meshes.end());
   return known;
 }
 
@@ -173,13 +164,15 @@ void check_output(const OrderCommand& command, const AnyGraph& input) {
                      "write the cells' order as .txt or their graph as .graph");
 }
 
-void write_output(const std::filesystem::path& path, const AnyGraph& input,
+void write_output(const std::filesystem::path& path, AnyGraph& input,
                   const std::vector<std::uint32_t>& order) {
   const std::string extension = io::known_extension(path, output_extensions(input), "output");
   if (extension == ".txt") return io::write_file_atomically(path, order_text(order));
-  if (extension == ".graph") return graph::write_graph(path, renumbered(input.graph, order));
-  if (const TetMesh* tets = input.tets()) return io::write_tet_mesh(path, renumbered(*tets, order));
-  io::write_mesh(path, renumbered(*input.triangles(), order));
+  if (extension == ".graph") return graph::write_graph(path, renumbered_graph(input.graph, order));
+  const AnyMeshFile file = renumbered(*input.file, order);
+  if (const std::string lost = io::left_behind(path, file); !lost.empty())
+    input.warnings.push_back(extension + " files have no place for these, which were left behind: " + lost);
+  io::write_any_mesh(path, file);
 }
 
 ExitCode order_file(const OrderCommand& command) {
@@ -189,7 +182,8 @@ ExitCode order_file(const OrderCommand& command) {
   if (!command.picture.empty()) io::known_extension(command.picture, {".png", ".svg", ".pdf"}, "picture");
   if (command.cells && is_graph_file(command.input))
     throw InputError(command.input, "is a graph: it has no cells", "leave out --cells, or give a mesh");
-  AnyGraph input = read_any_graph(command.input, command.cells ? GraphOf::cells : GraphOf::vertices);
+  AnyGraph input = read_any_graph(command.input, command.cells ? GraphOf::cells : GraphOf::vertices,
+                                  command.reading.options());
   check_output(command, input);
   timer.lap("read");
   Orderer orderer(input, command, console, signals);
@@ -247,6 +241,7 @@ Command order_command() {
                   {"--cells", "Order the cells of a mesh, by its dual graph", &options->cells},
                   {"--picture", "Draw the matrix's pattern as it is and as ordered", &options->picture}},
       .run = [options] { return order_file(*options); }};
+  add_read_options(command, options->reading);
   add_common_options(
       command, options->common,
       "Write the renumbered mesh or .graph, or the order as .txt (old numbers in new sequence)");

@@ -12,6 +12,7 @@
 #include "leonhard/app/graphs/partition_output.hpp"
 #include "leonhard/app/graphs/partition_request.hpp"
 #include "leonhard/app/graphs/read_any_graph.hpp"
+#include "leonhard/app/meshes/read_request.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/partition_report.hpp"
 #include "leonhard/app/report/peak_memory.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct PartitionCommand {
   CommonOptions common;
   PartitionRequest request;
+  ReadRequest reading;
   std::string input;
   PartitionOutput output;  ///< its path is common.output
 };
@@ -52,7 +54,7 @@ ExitCode partition_file(const PartitionCommand& command) {
   output.path = command.common.output;
   if (!output.path.empty()) check_partition_output(output, command.input);
   const GraphOf which = command.request.graph_of();
-  AnyGraph input = read_any_graph(command.input, which);
+  AnyGraph input = read_any_graph(command.input, which, command.reading.options());
   if (!output.path.empty()) check_partition_output(output, input, which, command.input);
   timer.lap("read");
   Progress progress;
@@ -93,6 +95,7 @@ Command partition_command() {
                    &options->input, true}},
       .run = [options] { return partition_file(*options); }};
   add_partition_options(command, options->request);
+  add_read_options(command, options->reading);
   command.options.push_back(
       {.names = "--view",
        .help = "Of a picture of the plane: xmin,ymin,xmax,ymax; of space: azimuth,elevation of the viewer",

@@ -2,32 +2,14 @@
 #include "leonhard/app/commands/tet_drawing.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 #include "leonhard/app/report/picture_view.hpp"
 #include "leonhard/graph/mesh_graph.hpp"
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/input_error.hpp"
-#include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::app {
 namespace {
-
-void draw_field(const TetDrawing& drawing, const TetMesh& mesh, const draw::TetPictureOptions& options) {
-  if (std::filesystem::path(drawing.mesh_file).extension() != ".vtu") {
-    throw InputError(drawing.mesh_file, "only .vtu files carry fields such as " + drawing.field,
-                     "give a .vtu");
-  }
-  const PointField field = io::read_vtu_field(drawing.mesh_file, drawing.field);
-  std::vector<double> values(field.values.size() / field.components);
-  for (std::size_t v = 0; v < values.size(); ++v) {  // a vector is drawn by its length
-    double sum = 0;
-    for (std::size_t i = 0; i < field.components; ++i)
-      sum = std::hypot(sum, field.values[v * field.components + i]);
-    values[v] = field.components == 1 ? field.values[v] : sum;
-  }
-  draw::draw_tet_field(drawing.picture, mesh, values, {.label = drawing.field}, options);
-}
 
 draw::TetFill fill_of(const std::string& what) {
   if (what == "markers") return draw::TetFill::marker;
@@ -38,6 +20,15 @@ draw::TetFill fill_of(const std::string& what) {
 
 }  // namespace
 
+std::vector<double> lengths_of(const PointField& field) {
+  if (field.components == 1) return field.values;
+  std::vector<double> lengths(field.values.size() / field.components);
+  for (std::size_t v = 0; v < lengths.size(); ++v)
+    for (std::size_t i = 0; i < field.components; ++i)
+      lengths[v] = std::hypot(lengths[v], field.values[v * field.components + i]);
+  return lengths;
+}
+
 void draw_tets(const TetDrawing& drawing, const TetMesh& mesh) {
   draw::TetPictureOptions options;
   options.size = {drawing.size[0], drawing.size[1]};
@@ -47,7 +38,9 @@ void draw_tets(const TetDrawing& drawing, const TetMesh& mesh) {
   if (drawing.section) options.cut = draw::CutStyle::planar;
   parse_cut(drawing.cut, draw::box_of(mesh), options);
 
-  if (!drawing.field.empty()) return draw_field(drawing, mesh, options);
+  if (!drawing.field.empty())
+    return draw::draw_tet_field(drawing.picture, mesh, drawing.field_values, {.label = drawing.field},
+                                options);
   if (drawing.what == "partition") {
     const auto parts =
         graph::recursive_spectral_bisection(graph::dual_graph(mesh), drawing.parts, drawing.seed);

@@ -3,20 +3,18 @@
 
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
-#include "leonhard/app/points/read_any_points.hpp"
+#include "leonhard/app/geometry/geometry_file.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
 #include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/report/points_report.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
-#include "leonhard/mesh/io/pslg_file.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -26,25 +24,6 @@ struct TriangulateCommand {
   std::string input, algorithm = "fast";
   bool convex_hull = false;
 };
-
-struct Input {
-  Pslg pslg;
-  std::vector<std::string> warnings;
-};
-
-Input read_input(const std::filesystem::path& path) {
-  std::vector<std::string> known = any_point_extensions();
-  known.push_back(".poly");
-  if (io::known_extension(path, known, "points or geometry") == ".poly") return {io::read_pslg(path), {}};
-  PointsFile file = read_any_points(path);
-  if (file.set.attributes_each > 0)
-    file.warnings.push_back(path.string() + ": the attributes of its points are not carried to the mesh");
-  Input input{.pslg = {}, .warnings = std::move(file.warnings)};
-  input.pslg.points = std::move(file.set.points);
-  input.pslg.point_markers = std::move(file.set.markers);
-  input.pslg.source = path.string();
-  return input;
-}
 
 delaunay::TriangulateOptions options_of(const TriangulateCommand& command, Console& console,
                                         const StopOnSignal& signals) {
@@ -76,7 +55,7 @@ ExitCode triangulate(const TriangulateCommand& command) {
   Console console(command.common.quiet);
   const StopOnSignal signals;
   io::known_extension(command.common.output, io::mesh_extensions(), "mesh");  // before any work
-  Input input = read_input(command.input);
+  GeometryFile input = read_any_geometry(command.input);
   timer.lap("read");
   auto result = delaunay::triangulate(input.pslg, options_of(command, console, signals));
   timer.lap("triangulate");
@@ -95,7 +74,8 @@ ExitCode triangulate(const TriangulateCommand& command) {
     timer.lap("write");
   }
   if (command.common.json) {
-    Json json{{"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
+    Json json{
+        {"input", command.input}, {"algorithm", command.algorithm}, {"outcome", to_string(result.outcome)}};
     json.update(to_json(account));
     json["words"] = words.empty() ? Json() : Json(words);
     if (report) {
@@ -128,8 +108,8 @@ Command triangulate_command() {
   Command command{
       .name = "triangulate",
       .help = "The Delaunay triangulation of points, constrained where there are segments",
-      .options = {{"points", "Points (.node .xy .csv .txt .json .geojson) or a PSLG (.poly)", &options->input,
-                   true},
+      .options = {{"points", "Points (.node .xy .csv .txt .json) or a PSLG (.poly .wkt .geojson)",
+                   &options->input, true},
                   {.names = "--algorithm",
                    .help = "The way to the triangulation, which is the same for all",
                    .target = &options->algorithm,

@@ -76,6 +76,7 @@ void write(const VoronoiCommand& command, const std::string& extension, const Vo
            const ClippedVoronoi& cells, const Window& window) {
   const std::string& path = command.common.output;
   if (extension == ".vtu") return write_cells_vtu(path, diagram, cells);
+  if (extension == ".geojson") return write_cells_geojson(path, diagram, cells);
   if (extension == ".json") return write_cells_json(path, diagram, cells);
   draw::draw_diagram(path, picture_of(command, diagram, cells, window), {command.size[0], command.size[1]});
 }
@@ -142,7 +143,7 @@ ExitCode voronoi(const VoronoiCommand& command) {
   LapTimer timer;
   Console console(command.common.quiet);
   const StopOnSignal signals;
-  static const std::vector<std::string> known{".png", ".svg", ".pdf", ".vtu", ".json"};
+  static const std::vector<std::string> known{".png", ".svg", ".pdf", ".vtu", ".json", ".geojson"};
   const std::string extension =
       io::known_extension(command.common.output, known, "Voronoi");  // before any work
   const PointsFile file = read_any_points(command.points);
@@ -204,9 +205,9 @@ Command voronoi_command() {
                    .shows_default = true},
                   {"--title", "Title of the picture", &options->title}},
       .run = [options] { return voronoi(*options); }};
-  add_common_options(
-      command, options->common,
-      "A picture (.png .svg .pdf), or the clipped cells with areas (.vtu .json); default voronoi.png");
+  add_common_options(command, options->common,
+                     "A picture (.png .svg .pdf), or the clipped cells with areas (.vtu .json .geojson); "
+                     "default voronoi.png");
   return command;
 }
 

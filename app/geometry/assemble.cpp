@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "leonhard/app/case/conditions.hpp"
 #include "leonhard/app/geometry/curve.hpp"
@@ -43,11 +44,21 @@ Box box_of(std::span<const Point2> points) {
   return box;
 }
 
+/// The element of a body's file that it is.
+AirfoilCoordinates element_of(const BodyCase& body) {
+  if (body.element == 0) return io::read_airfoil(body.file);
+  std::vector<AirfoilCoordinates> elements = io::read_airfoils(body.file);
+  if (body.element > elements.size())
+    throw InputError(body.file.string(), fmt::format("the file has no element {}", body.element),
+                     "it has fewer");
+  return std::move(elements[body.element - 1]);
+}
+
 /// The body's curve where it will lie.
 OutlineCurve placed_curve(const BodyCase& body) {
   const Placement placement{body.scale, body.rotation_deg, body.translation};
   if (!body.naca.empty()) return place(Naca4(body.naca, body.trailing_edge, body.where).outline(), placement);
-  const AirfoilCoordinates airfoil = io::read_airfoil(body.file);
+  const AirfoilCoordinates airfoil = element_of(body);
   check_outline({body.name, body.file.string(), airfoil.points});
   if (airfoil.points.size() < 4)
     throw InputError(body.file.string(),
@@ -144,9 +155,9 @@ DomainGeometry domain_about_bodies(const Case& c) {
   return domain;
 }
 
-DomainGeometry domain_from_file(const Case& c) {
+DomainGeometry domain_of(Pslg&& pslg, const Case& c) {
   DomainGeometry domain;
-  domain.pslg = io::read_pslg(c.domain_file);
+  domain.pslg = std::move(pslg);
   if (domain.pslg.points.size() < 3 || domain.pslg.segments.empty())
     throw InputError(c.domain_file.string(),
                      fmt::format("{} points and {} segments enclose no domain", domain.pslg.points.size(),
@@ -185,7 +196,9 @@ DomainGeometry make_domain(const Case& c) {
   if (!c.mesh_file.empty())
     throw InputError(c.file.string(), "the case gives a ready mesh, there is no geometry to mesh",
                      "use the mesh");
-  return c.domain_file.empty() ? domain_about_bodies(c) : domain_from_file(c);
+  return c.domain_file.empty() ? domain_about_bodies(c) : domain_of(io::read_pslg(c.domain_file), c);
 }
+
+DomainGeometry make_domain(const Case& c, Pslg pslg) { return domain_of(std::move(pslg), c); }
 
 }  // namespace leonhard::app

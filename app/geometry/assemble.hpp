@@ -23,6 +23,7 @@ struct DomainGeometry {
   std::vector<SizeSource> sources;  ///< one a boundary point of the bodies; empty: max_size alone
   double growth = 0;                ///< of the size with the distance to a source
   double max_size = std::numeric_limits<double>::infinity();  ///< of an edge, anywhere
+  bool keep_convex_hull = false;                              ///< nothing outside the segments is carved away
 
   std::vector<std::string> body_names;        ///< body i has marker i + 1
   std::vector<std::vector<Point2>> outlines;  ///< of each body, counter-clockwise, as in pslg
@@ -42,6 +43,9 @@ struct DomainGeometry {
 ///        that crosses itself, bodies that overlap or touch, a body outside the far field, a far field
 ///        smaller than the body. All by exact predicates.
 [[nodiscard]] DomainGeometry make_domain(const Case&);
+
+/// The same of a domain that has been read; the case's domain_file names it in errors.
+[[nodiscard]] DomainGeometry make_domain(const Case&, Pslg);
 
 /// Give the markers of a domain file's segments the names of their [boundary.N] sections.
 ///

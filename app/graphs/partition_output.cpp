@@ -3,27 +3,48 @@
 
 #include "leonhard/app/graphs/graph_picture.hpp"
 #include "leonhard/app/graphs/parts_file.hpp"
+#include "leonhard/app/meshes/cut_cells.hpp"
 #include "leonhard/app/report/picture_view.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/draw/draw.hpp"
 #include "leonhard/mesh/io/extension.hpp"
-#include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::app {
 namespace {
 
 using graph::Partition;
 
+/// Also "graph.part.8", as METIS calls it.
 std::string extension_of(const std::filesystem::path& output) {
+  const std::string last = output.extension().string(), stem = output.stem().extension().string();
+  const bool is_count = last.size() > 1 && last.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (is_count && stem == ".part") return ".txt";
   return io::known_extension(output, {".txt", ".vtu", ".png", ".svg", ".pdf"}, "partition");
 }
 
-template <class Mesh>
-void write_grid(const std::filesystem::path& path, Mesh& mesh, GraphOf which, const Partition& partition) {
-  if (which == GraphOf::vertices)
-    return io::write_vtu(path, mesh, {{"part", 1, {partition.part_of.begin(), partition.part_of.end()}}});
-  mesh.regions.flat().assign(partition.part_of.begin(), partition.part_of.end());
-  io::write_vtu(path, mesh);
+/// The file's mesh and fields, and the parts as the field `part` of vertices or of cells.
+void write_grid(const std::filesystem::path& path, AnyMeshFile& file, GraphOf which,
+                const Partition& partition) {
+  const auto add = [&](auto& fields) {
+    std::erase_if(fields, [](const auto& field) { return field.name == "part"; });
+    fields.push_back({"part", 1, {partition.part_of.begin(), partition.part_of.end()}});
+  };
+  if (which == GraphOf::vertices) {
+    add(file.point_fields);
+  } else {
+    add(file.cell_fields);
+  }
+  io::write_any_mesh(path, file);
+}
+
+/// A mixed mesh cut into simplices, each in the part of its cell.
+Partition cut_with_parts(AnyMeshFile& file, const Partition& partition) {
+  const std::vector<std::size_t> cell_of = cut_cells(file);
+  if (cell_of.empty()) return partition;
+  Partition parts = partition;
+  parts.part_of.clear();
+  for (const std::size_t cell : cell_of) parts.part_of.push_back(partition.part_of[cell]);
+  return parts;
 }
 
 bool is_picture(const std::filesystem::path& output) {
@@ -79,19 +100,17 @@ void check_partition_output(const PartitionOutput& output, const AnyGraph& input
 void write_partition(const PartitionOutput& output, AnyGraph& input, GraphOf which,
                      const Partition& partition, const std::string& title) {
   const std::filesystem::path& path = output.path;
-  auto* triangles = std::get_if<TriangleMesh>(&input.mesh);
-  auto* tets = std::get_if<TetMesh>(&input.mesh);
   const std::string extension = extension_of(path);
   if (extension == ".txt") return write_parts(path, partition);
-  if (extension == ".vtu")
-    return tets ? write_grid(path, *tets, which, partition) : write_grid(path, *triangles, which, partition);
-  if (triangles)
-    return draw::draw_partition(path, *triangles, partition.part_of, partition.parts,
+  if (extension == ".vtu") return write_grid(path, *input.file, which, partition);
+  if (!input.has_mesh() || (which == GraphOf::vertices && !input.triangles()))
+    return draw_graph(output, input, partition, title);
+  const Partition parts = which == GraphOf::cells ? cut_with_parts(*input.file, partition) : partition;
+  if (const TriangleMesh* triangles = input.triangles())
+    return draw::draw_partition(path, *triangles, parts.part_of, parts.parts,
                                 {.view = plane_view(output.view), .title = title});
-  if (tets && which == GraphOf::cells)
-    return draw::draw_tet_partition(path, *tets, partition.part_of, partition.parts,
-                                    tet_options(output, *tets, title));
-  draw_graph(output, input, partition, title);
+  draw::draw_tet_partition(path, *input.tets(), parts.part_of, parts.parts,
+                           tet_options(output, *input.tets(), title));
 }
 
 }  // namespace leonhard::app

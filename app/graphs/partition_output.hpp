@@ -10,8 +10,8 @@
 
 namespace leonhard::app {
 
-/// A file that a partition is to become: .txt, one part a line; .vtu, the mesh with its parts as the cell array `region`
-/// or the point array `part`; .png, .svg or .pdf, a picture.
+/// A file that a partition is to become: .txt, one part a line; .vtu, the mesh with all its fields and its parts
+/// as the array `part` of cells or of points; .png, .svg or .pdf, a picture.
 struct PartitionOutput {
   std::filesystem::path path;
   std::vector<double> view;  ///< of pictures: as plane_view or space_view take it
@@ -32,7 +32,7 @@ void check_partition_output(const PartitionOutput& output, const AnyGraph& input
 
 /// Write the file. Parts of vertices in space, and of bare graphs, are drawn as graphs (graph_picture.hpp).
 ///
-/// which   what the partition is of, where the input is a mesh; .vtu changes its regions
+/// which   what the partition is of, where the input is a mesh. The input's mesh is cut for pictures
 /// throws  OutputError
 void write_partition(const PartitionOutput& output, AnyGraph& input, GraphOf which,
                      const graph::Partition& partition, const std::string& title);

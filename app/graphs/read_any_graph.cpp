@@ -10,18 +10,15 @@
 #include "leonhard/app/console.hpp"
 #include "leonhard/mesh/edges.hpp"
 #include "leonhard/mesh/io/extension.hpp"
-#include "leonhard/mesh/io/file_dimension.hpp"
-#include "leonhard/mesh/io/mesh_file.hpp"
-#include "leonhard/mesh/io/tet_mesh_file.hpp"
 
 namespace leonhard::app {
 namespace {
 
-/// What graph::read_graph, io::read_mesh and io::read_tet_mesh know.
+/// What graph::read_graph and io::read_any_mesh know.
 const std::vector<std::string>& known_extensions() {
   static const std::vector<std::string> known = [] {
     std::vector<std::string> all;
-    for (const auto* some : {&io::mesh_extensions(), &io::tet_mesh_extensions(), &graph::graph_extensions()})
+    for (const auto* some : {&io::any_mesh_extensions(), &graph::graph_extensions()})
       for (const std::string& extension : *some)
         if (std::ranges::count(all, extension) == 0) all.push_back(extension);
     return all;
@@ -29,8 +26,29 @@ const std::vector<std::string>& known_extensions() {
   return known;
 }
 
+/// Of several weights a vertex the first one; zeros, which no partition takes, become as good as nothing.
+void simplify_weights(graph::GraphFile& file, const std::string& source) {
+  std::vector<std::int64_t>& weights = file.vertex_weights;
+  if (file.weights_each > 1) {
+    file.warnings.push_back(
+        fmt::format("{}: {} weights a vertex; the first one is used", source, file.weights_each));
+    const std::size_t count = weights.size() / file.weights_each;
+    for (std::size_t v = 0; v < count; ++v) weights[v] = weights[v * file.weights_each];
+    weights.resize(count);
+    file.weights_each = 1;
+  }
+  constexpr std::int64_t factor = 1000;
+  for (std::vector<std::int64_t>* some : {&weights, &file.edge_weights}) {
+    const auto zeros = std::ranges::count(*some, 0);
+    if (zeros == 0) continue;
+    for (std::int64_t& weight : *some) weight = weight == 0 ? 1 : factor * weight;
+    file.warnings.push_back(fmt::format("{}: {} weights of 0 count as a thousandth of 1", source, zeros));
+  }
+}
+
 AnyGraph graph_of_file(const std::filesystem::path& path) {
   graph::GraphFile file = graph::read_graph(path);
+  simplify_weights(file, path.string());
   AnyGraph result;
   if (auto found = graph::read_coordinates_beside(path, graph::vertex_count(file.graph))) {
     result.coordinates = std::move(found->points);
@@ -50,15 +68,18 @@ AnyGraph graph_of_file(const std::filesystem::path& path) {
 graph::CsrGraph vertex_graph(const TriangleMesh& mesh) {
   return graph::vertex_graph(mesh, mesh::build_edges(mesh));
 }
-graph::CsrGraph vertex_graph(const TetMesh& mesh) { return graph::vertex_graph(mesh); }
+template <class Mesh>
+graph::CsrGraph vertex_graph(const Mesh& mesh) {
+  return graph::vertex_graph(mesh);
+}
 
 Point3 in_space(Point2 p) { return {p.x, p.y, 0}; }
 Point3 in_space(const Point3& p) { return p; }
 
 /// Divided before they are added, so that no sum overflows.
-template <class Points, std::size_t corners>
-Point3 centroid(const Points& points, const std::array<VertexId, corners>& cell) {
-  constexpr double share = 1.0 / corners;
+template <class Points, class Corners>
+Point3 centroid(const Points& points, const Corners& cell) {
+  const double share = 1.0 / static_cast<double>(cell.size());
   Point3 middle{};
   for (const VertexId v : cell) {
     const Point3 p = in_space(points[v]);
@@ -67,21 +88,38 @@ Point3 centroid(const Points& points, const std::array<VertexId, corners>& cell)
   return middle;
 }
 
+template <int Dim>
+std::vector<Point3> centroids(const SimplexMesh<Dim>& mesh) {
+  std::vector<Point3> places;
+  for (const auto& cell : mesh.corners) places.push_back(centroid(mesh.points, cell));
+  return places;
+}
+template <int Dim>
+std::vector<Point3> centroids(const MixedMesh<Dim>& mesh) {
+  std::vector<Point3> places;
+  for (const CellId cell : mesh.kinds.ids()) places.push_back(centroid(mesh.points, mesh.corners_of(cell)));
+  return places;
+}
+
 template <class Mesh>
-AnyGraph graph_of_mesh(Mesh&& mesh, std::vector<std::string>&& warnings, std::uint32_t dimension,
-                       GraphOf which) {
-  AnyGraph result;
-  result.dimension = dimension;
+void add_graph_of(AnyGraph& result, const Mesh& mesh, GraphOf which) {
   if (which == GraphOf::vertices) {
     result.graph = vertex_graph(mesh);
     for (const auto& p : mesh.points) result.coordinates.push_back(in_space(p));
   } else {
     result.graph = graph::dual_graph(mesh);
-    for (const auto& cell : mesh.corners) result.coordinates.push_back(centroid(mesh.points, cell));
+    result.coordinates = centroids(mesh);
   }
+}
+
+AnyGraph graph_of_mesh(AnyMeshFile&& file, GraphOf which) {
+  AnyGraph result;
+  result.dimension = static_cast<std::uint32_t>(file.dimension());
+  std::visit([&](const auto& mesh) { add_graph_of(result, mesh, which); }, file.mesh);
   result.components = graph::components(result.graph).count();
-  result.mesh = std::forward<Mesh>(mesh);
-  result.warnings = std::move(warnings);
+  result.warnings = std::move(file.warnings);
+  file.warnings.clear();
+  result.file = std::move(file);
   return result;
 }
 
@@ -93,20 +131,15 @@ bool is_graph_file(const std::filesystem::path& path) {
   return std::ranges::count(graph::graph_extensions(), extension) > 0;
 }
 
-AnyGraph read_any_graph(const std::filesystem::path& path, GraphOf which) {
+AnyGraph read_any_graph(const std::filesystem::path& path, GraphOf which, const io::ReadOptions& options) {
   io::known_extension(path, known_extensions(), "mesh or graph");
   if (is_graph_file(path)) return graph_of_file(path);
-  if (io::file_dimension(path) == 3) {
-    TetMeshFile file = io::read_tet_mesh(path);
-    return graph_of_mesh(std::move(file.mesh), std::move(file.warnings), 3, which);
-  }
-  MeshFile file = io::read_mesh(path);
-  return graph_of_mesh(std::move(file.mesh), std::move(file.warnings), 2, which);
+  return graph_of_mesh(io::read_any_mesh(path, options), which);
 }
 
 std::string_view vertices_are(const AnyGraph& graph, GraphOf which) {
   if (which == GraphOf::vertices || !graph.has_mesh()) return "vertices";
-  return graph.triangles() != nullptr ? "triangles" : "tetrahedra";
+  return graph.triangles() != nullptr ? "triangles" : graph.tets() != nullptr ? "tetrahedra" : "cells";
 }
 
 std::string graph_text(std::uint64_t vertices, std::uint64_t edges, std::string_view of) {

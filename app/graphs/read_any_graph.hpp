@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,12 +11,11 @@
 
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/graph/graph_file.hpp"
-#include "leonhard/mesh/tet_mesh.hpp"
-#include "leonhard/mesh/triangle_mesh.hpp"
+#include "leonhard/mesh/io/any_mesh_file.hpp"
 
 namespace leonhard::app {
 
-/// Which graph of a mesh is meant: that of its vertices and edges, or the dual graph of its triangles or tetrahedra.
+/// Which graph of a mesh is meant: that of its vertices and edges, or the dual graph of its cells.
 enum class GraphOf { vertices, cells };
 
 /// A graph, be it from a file of graphs or that of a mesh.
@@ -24,7 +24,7 @@ struct AnyGraph {
   std::vector<Point3>
       coordinates;            ///< of the graph's vertices (cells: of their centroids); empty if not known
   std::uint32_t dimension{};  ///< of the coordinates, 2 or 3; 0 if not known
-  std::variant<std::monostate, TriangleMesh, TetMesh> mesh;  ///< where it came from a mesh
+  std::optional<AnyMeshFile> file;  ///< where it came from a mesh, its warnings moved to this one's
 
   std::uint32_t weights_each{};                            ///< as graph::GraphFile
   std::vector<std::int64_t> vertex_weights, edge_weights;  ///< as graph::GraphFile; of meshes none
@@ -33,22 +33,26 @@ struct AnyGraph {
   std::uint32_t components{};
   std::vector<std::string> warnings;
 
-  [[nodiscard]] const TriangleMesh* triangles() const { return std::get_if<TriangleMesh>(&mesh); }
-  [[nodiscard]] const TetMesh* tets() const { return std::get_if<TetMesh>(&mesh); }
-  [[nodiscard]] bool has_mesh() const { return mesh.index() != 0; }
+  [[nodiscard]] const TriangleMesh* triangles() const {
+    return file ? std::get_if<TriangleMesh>(&file->mesh) : nullptr;
+  }
+  [[nodiscard]] const TetMesh* tets() const { return file ? std::get_if<TetMesh>(&file->mesh) : nullptr; }
+  [[nodiscard]] bool has_mesh() const { return file.has_value(); }
 };
 
 /// Read a mesh of the plane or of space, or a graph, format by extension. Coordinates of a graph's vertices come from
 /// the .xyz file of its name, if there is one.
 ///
-/// which   of the graphs of a mesh; a graph file has but one
+/// which    of the graphs of a mesh; a graph file has but one
+/// options  of a mesh
 /// throws  InputError as the readers do
-[[nodiscard]] AnyGraph read_any_graph(const std::filesystem::path& path, GraphOf which = GraphOf::vertices);
+[[nodiscard]] AnyGraph read_any_graph(const std::filesystem::path& path, GraphOf which = GraphOf::vertices,
+                                      const io::ReadOptions& options = {});
 
 /// Whether the extension is that of a graph and not of a mesh.
 [[nodiscard]] bool is_graph_file(const std::filesystem::path& path);
 
-/// What the graph's vertices are: "triangles" or "tetrahedra" of a mesh's dual graph, else "vertices".
+/// What the graph's vertices are: "triangles", "tetrahedra" or "cells" of a mesh's dual graph, else "vertices".
 [[nodiscard]] std::string_view vertices_are(const AnyGraph& graph, GraphOf which);
 
 /// The graph's size in a line, and what its vertices are.

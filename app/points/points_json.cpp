@@ -63,12 +63,12 @@ class PointsHandler : public nlohmann::json_sax<Json> {
  public:
   PointsHandler(const std::string& source, const std::size_t& line) : source_(source), line_(line) {}
 
-  PointsFile finish() {
+  PlanarShapes finish(bool with_lines) {
     if (file_.set.points.empty()) fail("no point was found", shapes);
-    if (lines_vertices_ > 0)
+    if (lines_vertices_ > 0 && !with_lines)
       warn(std::to_string(lines_vertices_) + " of the points are vertices of lines and polygons");
     if (heights_ > 0) warn("the heights of " + std::to_string(heights_) + " points were left out");
-    return std::move(file_);
+    return {std::move(file_), std::move(lines_)};
   }
 
   bool null() override { return other("null"); }
@@ -117,6 +117,11 @@ class PointsHandler : public nlohmann::json_sax<Json> {
       end_position();
     } else if (in_geojson_ && is_ring()) {
       drop_closing_vertex();
+      end_list();
+    } else if (in_geojson_ && coordinates_depth_ + 1 == objects_.back().coordinates_depth) {
+      end_list();
+    } else if (in_geojson_) {
+      ring_ = 0;  // of the next polygon
     } else if (!in_geojson_ && coordinates_depth_ == 2) {
       fail("found a point without coordinates", shapes);
     }
@@ -212,6 +217,22 @@ class PointsHandler : public nlohmann::json_sax<Json> {
     if (points.size() > first + 1 && points.back() == points[first]) points.pop_back();
   }
 
+  /// Of positions that are joined, if the geometry turns out to be one of lines.
+  void end_list() {
+    lists_.push_back({first_point_[coordinates_depth_], file_.set.points.size(), false, ring_++ > 0});
+  }
+
+  /// The lists of a geometry of lines: rings of polygons are closed, the first of each bounds it.
+  void take_lines(const Geometry& geometry) {
+    const bool rings = geometry.type.ends_with("Polygon");
+    for (PlanarShapes::Line line : std::exchange(lists_, {})) {
+      line.closed = rings;
+      line.hole = rings && line.hole;
+      if (geometry.vertices) lines_.push_back(line);
+    }
+    ring_ = 0;
+  }
+
   void check_geometry(const Object& object) {
     in_geojson_ = false;
     for (const Geometry& known : geometries) {
@@ -221,6 +242,7 @@ class PointsHandler : public nlohmann::json_sax<Json> {
                  std::to_string(object.coordinates_depth) + " deep, not " + std::to_string(known.depth),
              "see RFC 7946, section 3.1");
       if (known.vertices) lines_vertices_ += file_.set.points.size() - object.first_point;
+      take_lines(known);
       return;
     }
     fail("an object has \"coordinates\" and the type \"" + object.type + "\", which is no geometry",
@@ -235,20 +257,31 @@ class PointsHandler : public nlohmann::json_sax<Json> {
   std::optional<std::size_t> points_depth_;
   std::vector<double> position_;              ///< of the point being read
   std::array<std::size_t, 5> first_point_{};  ///< of the open arrays, by depth
+  std::vector<PlanarShapes::Line> lists_;     ///< of the geometry being read
+  std::vector<PlanarShapes::Line> lines_;
+  std::size_t ring_ = 0;  ///< of its polygon
   std::size_t lines_vertices_ = 0, heights_ = 0;
   bool root_seen_ = false, in_geojson_ = false;
 };
 
-}  // namespace
-
-PointsFile parse_points_json(std::string_view text, const std::string& source) {
+PlanarShapes parse_json(std::string_view text, const std::string& source, bool with_lines) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::size_t line = 1;
   PointsHandler handler(source, line);
   std::size_t ignored = 0;
   Json::sax_parse(CountedBytes(text.data(), line), CountedBytes(text.data() + text.size(), ignored),
                   &handler);
-  return handler.finish();
+  return handler.finish(with_lines);
+}
+
+}  // namespace
+
+PointsFile parse_points_json(std::string_view text, const std::string& source) {
+  return parse_json(text, source, false).points;
+}
+
+PlanarShapes parse_shapes_json(std::string_view text, const std::string& source) {
+  return parse_json(text, source, true);
 }
 
 }  // namespace leonhard::app

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "leonhard/app/points/planar_shapes.hpp"
 #include "leonhard/mesh/io/points_file.hpp"
 
 namespace leonhard::app {
@@ -20,5 +21,8 @@ namespace leonhard::app {
 /// throws  InputError naming file and line: no JSON, NaN, numbers beyond double, points that have not two
 ///         coordinates, an odd number of coordinates, no point at all
 [[nodiscard]] PointsFile parse_points_json(std::string_view text, const std::string& source);
+
+/// The same with the lines and rings of GeoJSON's geometries; then no warning says that points are vertices of them.
+[[nodiscard]] PlanarShapes parse_shapes_json(std::string_view text, const std::string& source);
 
 }  // namespace leonhard::app

@@ -78,6 +78,30 @@ void write_cells_json(const std::filesystem::path& path, const delaunay::Voronoi
     if (text.back() != '[') text += ',';
     text += cell.line();
   }
+  text += "],\"site_of_input\":[";
+  for (std::size_t i = 0; i < diagram.site_of_input.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{}{}", i == 0 ? "" : ",", diagram.site_of_input[i].index());
+  io::write_file_atomically(path, text + "]}\n");
+}
+
+void write_cells_geojson(const std::filesystem::path& path, const delaunay::VoronoiDiagram& diagram,
+                         const delaunay::ClippedVoronoi& cells) {
+  std::string text = "{\"type\":\"FeatureCollection\",\"features\":[";
+  for (const VertexId site : cells_shown(diagram, cells)) {
+    Json ring = Json::array();
+    for (const Point2 p : cells.cell(site)) ring.push_back(Json::array({p.x, p.y}));
+    const Point2 first = cells.cell(site).front();
+    ring.push_back(Json::array({first.x, first.y}));
+    const Json feature{{"type", "Feature"},
+                       {"properties", Json{{"site", site.index()},
+                                           {"x", diagram.sites[site].x},
+                                           {"y", diagram.sites[site].y},
+                                           {"area", cells.area[site]},
+                                           {"unbounded", diagram.is_unbounded(site)}}},
+                       {"geometry", Json{{"type", "Polygon"}, {"coordinates", Json::array({ring})}}}};
+    if (text.back() != '[') text += ',';
+    text += feature.line();
+  }
   io::write_file_atomically(path, text + "]}\n");
 }
 

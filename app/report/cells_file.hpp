@@ -14,9 +14,15 @@ namespace leonhard::app {
 void write_cells_vtu(const std::filesystem::path& path, const delaunay::VoronoiDiagram& diagram,
                      const delaunay::ClippedVoronoi& cells);
 
-/// The same as JSON: {"cells": [{"site": 0, "at": [x, y], "area": a, "unbounded": false, "corners": [[x, y], ...]}]}.
+/// The same as JSON: {"cells": [{"site": 0, "at": [x, y], "area": a, "unbounded": false, "corners": [[x, y], ...]}],
+/// "site_of_input": [0, ...]}, the last one a site for each input point.
 /// throws OutputError
 void write_cells_json(const std::filesystem::path& path, const delaunay::VoronoiDiagram& diagram,
                       const delaunay::ClippedVoronoi& cells);
+
+/// The same as GeoJSON (RFC 7946): a feature a cell, a polygon whose neighbours have the same corners to the last bit.
+/// throws OutputError
+void write_cells_geojson(const std::filesystem::path& path, const delaunay::VoronoiDiagram& diagram,
+                         const delaunay::ClippedVoronoi& cells);
 
 }  // namespace leonhard::app

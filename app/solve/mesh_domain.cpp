@@ -33,6 +33,7 @@ delaunay::RefinedMesh mesh_domain(const DomainGeometry& domain, const MesherCase
   options.min_angle_deg = mesher.min_angle_deg;
   options.max_vertices = mesher.max_vertices;
   options.max_area = max_area;
+  options.keep_convex_hull = domain.keep_convex_hull;
   options.size = sizing_of(domain);
   options.progress.stop = std::move(stop);
   return delaunay::mesh_pslg(domain.pslg, options);

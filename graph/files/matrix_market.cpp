@@ -13,7 +13,8 @@ namespace {
 
 struct Banner {
   unsigned values_each{};  ///< numbers after an entry's row and column
-  bool general = false;
+  bool general = false, array = false;
+  bool without_diagonal = false;  ///< of an array: skew-symmetric
 };
 
 std::string lower_case(std::string_view word) {
@@ -31,9 +32,13 @@ Banner read_banner(std::string_view text, const std::string& source) {
     const std::string_view found = scan.word(word);
     if (lower_case(found) != lower_case(word)) scan.fail_found(found, word);
   };
-  expect("%%MatrixMarket");
+  const std::string_view head = scan.word("%%MatrixMarket");
+  if (lower_case(head) != "%%matrixmarket" && lower_case(head) != "%matrixmarket")
+    scan.fail_found(head, "%%MatrixMarket");
   expect("matrix");
-  expect("coordinate");
+  const std::string_view form = scan.word("coordinate or array");
+  const bool array = lower_case(form) == "array";
+  if (!array && lower_case(form) != "coordinate") scan.fail_found(form, "coordinate or array");
   const std::string_view field = scan.word("a field"), symmetry = scan.word("a symmetry");
   scan.expect_line_end("the symmetry");
   constexpr std::array<std::string_view, 4> fields{"pattern", "real", "integer", "complex"};
@@ -45,7 +50,7 @@ Banner read_banner(std::string_view text, const std::string& source) {
   if (known_symmetry == symmetries.end())
     scan.fail_found(symmetry, "general, symmetric, skew-symmetric or hermitian");
   return {values[static_cast<std::size_t>(known_field - fields.begin())],
-          known_symmetry == symmetries.begin()};
+          known_symmetry == symmetries.begin(), array, lower_case(symmetry) == "skew-symmetric"};
 }
 
 std::uint32_t read_index(io::TextScanner& scan, const char* what, std::uint32_t size) {
@@ -72,6 +77,21 @@ std::uint32_t read_size(io::TextScanner& scan) {
   return static_cast<std::uint32_t>(rows);
 }
 
+/// An array's entries, column after column; of a symmetric one the lower triangle.
+void read_array(io::TextScanner& scan, const Banner& banner, detail::ListedGraph& listed) {
+  for (std::uint32_t column = 0; column < listed.vertices; ++column) {
+    const std::uint32_t first = banner.general ? 0 : column + (banner.without_diagonal ? 1 : 0);
+    for (std::uint32_t row = first; row < listed.vertices; ++row) {
+      bool is_zero = true;
+      for (unsigned k = 0; k < banner.values_each; ++k) {
+        scan.need_word("an entry's value");
+        if (scan.number("an entry's value") != 0) is_zero = false;
+      }
+      if (!is_zero) listed.entries.push_back({row, column, static_cast<std::uint32_t>(scan.line())});
+    }
+  }
+}
+
 }  // namespace
 
 GraphFile parse_matrix_market(std::string_view text, const std::string& source) {
@@ -79,12 +99,14 @@ GraphFile parse_matrix_market(std::string_view text, const std::string& source) 
   io::TextScanner scan(text, source, {.comment = '%'});
   scan.need_line("the numbers of rows, columns and entries");
   const std::uint32_t size = read_size(scan);
-  const std::size_t entries = scan.count("the number of entries", 4 + 2 * banner.values_each);
-  scan.expect_line_end("the number of entries");
+  const std::size_t entries =
+      banner.array ? 0 : scan.count("the number of entries", 4 + 2 * banner.values_each);
+  scan.expect_line_end(banner.array ? "the number of columns" : "the number of entries");
   GraphFile file;
   detail::ListedGraph listed{source, size,           {},
                              {},     banner.general, "give the pattern of A + A^T, or say symmetric"};
   listed.entries.reserve(entries);
+  if (banner.array) read_array(scan, banner, listed);
   for (std::size_t i = 0; i < entries; ++i) {
     scan.need_line("an entry");
     const std::uint32_t row = read_index(scan, "row", size), column = read_index(scan, "column", size);

@@ -8,15 +8,12 @@
 #include "leonhard/mesh/io/did_you_mean.hpp"
 
 namespace leonhard::io {
-namespace {
 
 std::string small_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
-
-}  // namespace
 
 bool carries_fields(const std::filesystem::path& path) {
   return small_extension(path) == ".vtu" || small_extension(path) == ".msh";

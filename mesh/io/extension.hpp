@@ -12,6 +12,9 @@ namespace leonhard::io {
 std::string known_extension(const std::filesystem::path& path, const std::vector<std::string>& known,
                             const std::string& what);
 
+/// A path's extension in small letters.
+[[nodiscard]] std::string small_extension(const std::filesystem::path& path);
+
 /// Whether the format of a file, by its extension, carries fields of values at vertices and in cells.
 [[nodiscard]] bool carries_fields(const std::filesystem::path& path);
 

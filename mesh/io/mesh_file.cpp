@@ -3,25 +3,24 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
+#include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
+#include "leonhard/mesh/io/formats/medit.hpp"
 #include "leonhard/mesh/io/formats/su2.hpp"
 #include "leonhard/mesh/io/formats/triangle_files.hpp"
+#include "leonhard/mesh/io/soup/read_soup.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::io {
 
 const std::vector<std::string>& mesh_extensions() {
-  static const std::vector<std::string> known{".su2", ".vtu", ".node", ".ele", ".poly", ".msh"};
+  static const std::vector<std::string> known{".su2", ".vtu", ".node", ".ele", ".poly", ".msh", ".mesh"};
   return known;
 }
 
-MeshFile read_mesh(const std::filesystem::path& path) {
-  const std::string extension = known_extension(path, mesh_extensions(), "mesh");
-  if (extension == ".su2") return read_su2(path);
-  if (extension == ".vtu") return read_vtu(path);
-  if (extension == ".msh") return read_gmsh(path);
-  return read_triangle_files(path);
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  return assemble_simplices(read_soup<2>(path, options), options);
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
@@ -33,6 +32,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
   if (!point_fields.empty() || !cell_fields.empty())
     throw InputError(path.string(), extension + " files carry no fields", "write a .vtu or a .msh file");
   if (extension == ".su2") return write_su2(path, mesh);
+  if (extension == ".mesh") return write_file_atomically(path, format_medit(mesh));
   return write_triangle_files(path, mesh);
 }
 

@@ -2,29 +2,24 @@
 #include "leonhard/mesh/io/mixed_mesh_file.hpp"
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
-#include "leonhard/mesh/io/formats/plot3d.hpp"
+#include "leonhard/mesh/io/formats/medit.hpp"
 #include "leonhard/mesh/io/formats/su2.hpp"
+#include "leonhard/mesh/io/soup/read_soup.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::io {
 
 const std::vector<std::string>& mixed_mesh_extensions() {
-  static const std::vector<std::string> known{".su2", ".vtu", ".msh"};
+  static const std::vector<std::string> known{".su2", ".vtu", ".msh", ".mesh"};
   return known;
 }
 
 template <int Dim>
-MixedMeshFile<Dim> read_mixed_mesh(const std::filesystem::path& path) {
-  std::vector<std::string> known = mixed_mesh_extensions();
-  if (Dim == 2) known.push_back(".p2dfmt");
-  const std::string extension = known_extension(path, known, "mesh of mixed cells");
-  if constexpr (Dim == 2)
-    if (extension == ".p2dfmt") return read_plot3d(path);
-  if (extension == ".vtu") return read_mixed_vtu<Dim>(path);
-  if (extension == ".msh") return read_mixed_gmsh<Dim>(path);
-  return read_mixed_su2<Dim>(path);
+MixedMeshFile<Dim> read_mixed_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  return assemble_mixed(read_soup<Dim>(path, options), options);
 }
 
 template <int Dim>
@@ -37,11 +32,12 @@ void write_mixed_mesh(const std::filesystem::path& path, const MixedMesh<Dim>& m
   if (extension == ".msh") return write_gmsh(path, mesh, {}, point_fields, cell_fields);
   if (!point_fields.empty() || !cell_fields.empty())
     throw InputError(path.string(), extension + " files carry no fields", "write a .vtu or a .msh file");
+  if (extension == ".mesh") return write_file_atomically(path, format_medit(mesh));
   write_su2(path, mesh);
 }
 
-template MixedMeshFile<2> read_mixed_mesh<2>(const std::filesystem::path&);
-template MixedMeshFile<3> read_mixed_mesh<3>(const std::filesystem::path&);
+template MixedMeshFile<2> read_mixed_mesh<2>(const std::filesystem::path&, const ReadOptions&);
+template MixedMeshFile<3> read_mixed_mesh<3>(const std::filesystem::path&, const ReadOptions&);
 template void write_mixed_mesh(const std::filesystem::path&, const MixedMesh<2>&,
                                const std::vector<PointField>&, const std::vector<CellField>&);
 template void write_mixed_mesh(const std::filesystem::path&, const MixedMesh<3>&,

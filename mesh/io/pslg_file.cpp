@@ -26,6 +26,11 @@ bool declares_no_vertices(const std::string& poly, const std::string& source) {
 }  // namespace
 
 Pslg read_pslg(const std::filesystem::path& path) {
+  std::vector<std::string> warnings;
+  return read_pslg(path, warnings);
+}
+
+Pslg read_pslg(const std::filesystem::path& path, std::vector<std::string>& warnings) {
   known_extension(path, pslg_extensions, "geometry");
   const std::string poly = read_whole_file(path);
   std::filesystem::path node_path = path;
@@ -33,7 +38,7 @@ Pslg read_pslg(const std::filesystem::path& path) {
   std::optional<std::string> node;
   if (declares_no_vertices(poly, path.string()) && std::filesystem::exists(node_path))
     node = read_whole_file(node_path);
-  return parse_poly(poly, node, path.string());
+  return parse_poly(poly, node, path.string(), &warnings);
 }
 
 void write_pslg(const std::filesystem::path& path, const Pslg& pslg) {

@@ -3,11 +3,13 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
+#include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
 #include "leonhard/mesh/io/formats/medit.hpp"
 #include "leonhard/mesh/io/formats/su2.hpp"
 #include "leonhard/mesh/io/formats/tetgen_files.hpp"
+#include "leonhard/mesh/io/soup/read_soup.hpp"
 #include "leonhard/mesh/io/vtu.hpp"
 
 namespace leonhard::io {
@@ -18,13 +20,8 @@ const std::vector<std::string>& tet_mesh_extensions() {
   return known;
 }
 
-TetMeshFile read_tet_mesh(const std::filesystem::path& path) {
-  const std::string extension = known_extension(path, tet_mesh_extensions(), "tetrahedral mesh");
-  if (extension == ".su2") return read_tet_su2(path);
-  if (extension == ".vtu") return read_tet_vtu(path);
-  if (extension == ".msh") return read_tet_gmsh(path);
-  if (extension == ".mesh") return read_medit(path);
-  return read_tetgen_files(path);
+TetMeshFile read_tet_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  return assemble_simplices(read_soup<3>(path, options), options);
 }
 
 void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh,
@@ -36,7 +33,7 @@ void write_tet_mesh(const std::filesystem::path& path, const TetMesh& mesh,
   if (!point_fields.empty() || !cell_fields.empty())
     throw InputError(path.string(), extension + " files carry no fields", "write a .vtu or a .msh file");
   if (extension == ".su2") return write_su2(path, mesh);
-  if (extension == ".mesh") return write_medit(path, mesh);
+  if (extension == ".mesh") return write_file_atomically(path, format_medit(mesh));
   return write_tetgen_files(path, mesh);
 }
 

@@ -13,13 +13,13 @@ namespace leonhard::io {
 
 /// Write a VTK XML unstructured grid (.vtu): binary, appended raw, zlib-compressed where Leonhard was built
 /// with zlib, 64-bit headers. ParaView opens it; read_vtu gives the same mesh back: points to the last bit,
-/// triangles, regions, markers, names, boundary, constraints, and fields.
+/// triangles, regions, markers, names of both, boundary, constraints, and fields.
 ///
 /// Point data: one array a field (two components are written as three with a zero, since VTK knows only
 /// three-component vectors, and with the attribute leonhard_components="2", which other programs pass over) and
 /// `marker`. Cell data: one array a field and `region`. Field data: `leonhard_boundary` and
 /// `leonhard_constraints` (from, to, marker an edge), `leonhard_marker_numbers`, and `leonhard_marker_names`
-/// (UTF-8, each name ended by a zero byte).
+/// (UTF-8, each name ended by a zero byte), and the like of regions.
 ///
 /// fields  one value each a vertex or cell and component; any doubles, NaN too
 /// throws InputError if a field's size does not fit the mesh or its name is empty, repeated among those of its kind, or
@@ -33,21 +33,22 @@ void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
                                      const std::vector<PointField>& point_fields = {},
                                      const std::vector<CellField>& cell_fields = {});
 
-/// Read a .vtu of one piece whose cells are triangles (quadrilaterals are split, lines are taken as marked
-/// boundary edges): what write_vtu writes, and the ascii, base64 and raw appended variants that ParaView and
-/// meshio write, compressed with zlib or not.
+/// Read a .vtu whose cells are triangles (quadrilaterals are split, lines are taken as marked edges): what write_vtu writes, and
+/// the ascii, base64 and raw appended variants that ParaView and meshio write, compressed with zlib or not. Cells of higher order
+/// are taken by their corners, strips as triangles, pixels as quadrilaterals. Points of equal coordinates in different pieces
+/// are joined where no piece has two of them, and cells that are copies of another piece's (vtkGhostType) dropped.
 ///
-/// All other arrays of point and cell data come as fields, integers as doubles; those of texts, without a name, or with a
-/// name that came before or that write_vtu keeps for itself are left out, which a warning tells.
+/// Regions are the cell array `region`, else the first of gmsh:physical, medit:ref, CellEntityIds that there is, markers of
+/// lines `marker`, else that one, else 1. All other arrays of point and cell data come as fields, integers as doubles; those of
+/// texts, without a name, or with a name that came before are left out, which a warning tells.
 ///
-/// Files by other programs carry no boundary markers: every boundary edge without a line cell gets the marker
-/// 1, "boundary", which a warning tells. Vertices that no cell uses are refused.
+/// Files by other programs: edges without a marker, unused vertices, cells that are turned over as mesh_soup.hpp says.
 ///
 /// throws InputError: not a .vtu, parts missing or cut short, unknown compressor or cell type, points off the
 /// plane z = const, ids out of range, bad cells as in read_su2
 [[nodiscard]] MeshFile read_vtu(const std::filesystem::path& path);
 
-/// One point field of a .vtu of one piece, in the order of the vertices that read_vtu gives.
+/// One point field of a mesh file of any format that has fields, in the order of the vertices that read_any_mesh gives.
 ///
 /// throws InputError: as read_vtu; no field of that name (the message lists those there are), more than three
 /// components, values that are not finite
@@ -64,11 +65,9 @@ void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
 [[nodiscard]] std::string format_vtu(const TetMesh& mesh, const std::vector<PointField>& point_fields = {},
                                      const std::vector<CellField>& cell_fields = {});
 
-/// Read a .vtu of one piece whose cells are tetrahedra; triangles are marked faces, lines and points are left out. Files
-/// by other programs: a boundary face without a triangle cell gets a marker (see mesh_soup.hpp), and triangles take theirs
-/// from the first of the cell arrays marker, gmsh:physical, medit:ref, CellEntityIds that there is.
+/// Read a .vtu whose cells are tetrahedra; triangles are marked faces, lines and points are left out.
 ///
-/// throws InputError: as read_vtu; other cells (hexahedra, prisms and pyramids by name), and as read_tet_mesh
+/// throws InputError: as read_vtu; other cells, and as read_tet_mesh
 [[nodiscard]] TetMeshFile read_tet_vtu(const std::filesystem::path& path);
 [[nodiscard]] TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source);
 
@@ -100,8 +99,8 @@ void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, 
                        const std::vector<MixedFacet<3>>& facets, const std::vector<PointField>& point_fields = {},
                        const std::vector<CellField>& cell_fields = {});
 
-/// Read a .vtu of one piece of mixed cells, quadrilaterals left whole; in space triangles and quadrilaterals are marked
-/// faces. Prisms are taken with the base either way, if all are alike. Files by other programs: markers as for tetrahedra.
+/// Read a .vtu of mixed cells, quadrilaterals left whole; in space triangles and quadrilaterals are marked faces. Prisms are
+/// taken with the base either way.
 ///
 /// throws InputError: as read_vtu; other cells, and as read_mixed_mesh
 template <int Dim>

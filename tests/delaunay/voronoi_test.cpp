@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "leonhard/delaunay/voronoi_clip.hpp"
@@ -164,6 +165,48 @@ TEST_CASE("areas_of_clipped_cells_add_up_to_the_window") {
     const double tolerance = name == "offset 2^30" ? 1e-6 : name == "clusters" ? 1e-8 : 1e-12;
     CHECK(sum(clip(d, window).area) == doctest::Approx(area).epsilon(tolerance).scale(0));
     CHECK(sum(clip(d, pentagon).area) == doctest::Approx(shoelace).epsilon(tolerance).scale(0));
+  }
+}
+
+TEST_CASE("clipped_cells_share_their_corners_to_the_last_bit") {
+  std::vector<std::pair<std::string, std::vector<Point2>>> sets{{"uniform", shapes::uniform(200, 3)}};
+  std::vector<Point2> far;
+  for (const Point2 p : shapes::uniform(50, 5)) far.push_back({p.x - 819831.1, p.y - 1007946.473});
+  sets.emplace_back("far from the origin", far);
+  sets.emplace_back("two sites 1e-13 apart", std::vector<Point2>{{-36.936336898963525, -9.508890876984978},
+                                                                 {-36.7320806786612, -9.27520427373948},
+                                                                 {-36.93633689896362, -9.508890876985053},
+                                                                 {-36.9363441204872, -9.508896761408002},
+                                                                 {-36.95085774213237, -9.34734748027729},
+                                                                 {-36.92859286275029, -9.491951983474776},
+                                                                 {-37.10160515698933, -9.242356362160889}});
+  for (const auto& [label, points] : sets) {
+    const auto& name = label;  // clang 14 captures no binding
+    CAPTURE(name);
+    const VoronoiDiagram d = diagram_of(points);
+    const auto window = window_about(points, 0.1);
+    const ClippedVoronoi cells = clip(d, window);
+    std::map<std::pair<Point2, Point2>, int>
+        sides;  // a side inside the window has a cell in either direction
+    double area = 0;
+    for (const VertexId site : d.sites.ids()) {
+      const auto cell = cells.cell(site);
+      for (std::size_t i = 0; i < cell.size(); ++i)
+        ++sides[{cell[i], cell[i + 1 == cell.size() ? 0 : i + 1]}];
+      area += cells.area[site];
+    }
+    std::size_t alone = 0;
+    for (const auto& [side, count] : sides) {
+      CHECK(count == 1);
+      const bool on_window = std::any_of(window.begin(), window.end(), [&, s = side](const Point2 corner) {
+        return (s.first.x == corner.x && s.second.x == corner.x) ||
+               (s.first.y == corner.y && s.second.y == corner.y);
+      });
+      if (!on_window && !sides.contains({side.second, side.first})) ++alone;
+    }
+    CHECK(alone == 0);
+    const double of_window = (window[1].x - window[0].x) * (window[3].y - window[0].y);
+    CHECK(area == doctest::Approx(of_window).epsilon(1e-12).scale(0));
   }
 }
 

@@ -15,10 +15,9 @@
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/formats/field_checks.hpp"
 #include "leonhard/mesh/io/formats/gmsh_data.hpp"
+#include "leonhard/mesh/io/formats/gmsh_soup.hpp"
 #include "leonhard/mesh/io/formats/gmsh_write.hpp"
 #include "leonhard/mesh/io/formats/whole_regions.hpp"
-#include "leonhard/mesh/io/soup/mesh_soup.hpp"
-#include "leonhard/mesh/io/soup/mixed_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/words.hpp"
 
@@ -28,42 +27,14 @@ namespace {
 
 // ---- reading ----
 
-/// Lists of cells whose nodes count as used, and how many corners each has.
-using Lists = std::vector<std::pair<std::vector<GmshCell>*, std::size_t>>;
-
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// Drops the nodes that no cell of the lists uses and renumbers the others; files keep the nodes of the geometry.
-/// returns  the new index of each node, `none` for those dropped; empty if nothing changed
-std::vector<std::size_t> drop_unused_nodes(GmshData& data, const Lists& lists) {
-  std::vector<bool> used(data.points.size(), false);
-  for (const auto& [cells, corners] : lists)
-    for (const GmshCell& cell : *cells)
-      for (std::size_t k = 0; k < corners; ++k) used[cell.corners[k].index()] = true;
-  const auto kept = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
-  if (kept == data.points.size() || kept == 0) return {};  // without cells there is more to say than that
-  data.warnings.push_back(std::to_string(data.points.size() - kept) +
-                          " nodes that no cell uses were left out, and the others renumbered");
-  std::vector<std::size_t> new_index(data.points.size(), none);
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) continue;
-    new_index[i] = next;
-    data.points[next++] = data.points[i];
-  }
-  data.points.resize(next);
-  for (const auto& [cells, corners] : lists)
-    for (GmshCell& cell : *cells)
-      for (std::size_t k = 0; k < corners; ++k)
-        cell.corners[k] = VertexId::from(new_index[cell.corners[k].index()]);
-  return new_index;
-}
-
 /// Values in the order of vertices or cells; none if some have no value.
+///
+/// has  rows that need no value
 template <class Field, class IndexOf>
-std::optional<Field> dense_field(const GmshValues& from, std::size_t count, const IndexOf& index_of) {
-  Field field{from.name, from.components, std::vector<double>(count * from.components)};
-  std::vector<bool> has(count, false);
+std::optional<Field> dense_field(const GmshValues& from, std::vector<bool> has, const IndexOf& index_of) {
+  Field field{from.name, from.components, std::vector<double>(has.size() * from.components)};
   for (std::size_t i = 0; i < from.rows.size(); ++i) {
     const std::size_t row = index_of(from.rows[i]);
     if (row == none) continue;
@@ -77,18 +48,17 @@ std::optional<Field> dense_field(const GmshValues& from, std::size_t count, cons
 
 /// The file's values as fields of a soup; those that it cannot have a warning tells.
 ///
-/// new_index  as drop_unused_nodes returns it
-/// cells      the lists that make up the soup's cells, in that order
+/// used   points that cells of the soup use: the others need no value
+/// cells  those of the soup, in its order
 template <class Soup>
-void take_fields(GmshData& data, const std::vector<std::size_t>& new_index,
-                 std::initializer_list<const std::vector<GmshCell>*> cells, Soup& soup) {
+void take_fields(GmshData& data, const std::vector<bool>& used, const std::vector<GmshCell>& cells,
+                 Soup& soup) {
   std::vector<std::pair<std::uint64_t, std::size_t>> cell_of_tag;
   if (!data.values.empty()) {
-    for (const auto* list : cells)
-      for (const GmshCell& cell : *list) cell_of_tag.emplace_back(cell.tag, cell_of_tag.size());
+    for (const GmshCell& cell : cells) cell_of_tag.emplace_back(cell.tag, cell_of_tag.size());
     std::sort(cell_of_tag.begin(), cell_of_tag.end());
   }
-  const auto vertex = [&](std::uint64_t row) { return new_index.empty() ? row : new_index[row]; };
+  const auto vertex = [](std::uint64_t row) { return row; };
   const auto cell = [&](std::uint64_t tag) {
     const auto found =
         std::lower_bound(cell_of_tag.begin(), cell_of_tag.end(), std::pair(tag, std::size_t{0}));
@@ -105,27 +75,22 @@ void take_fields(GmshData& data, const std::vector<std::size_t>& new_index,
     } else if (!names.emplace(from.of_nodes, from.name).second) {
       leave_out("others have this name");
     } else if (from.of_nodes) {
-      auto field = dense_field<PointField>(from, data.points.size(), vertex);
+      std::vector<bool> unused = used;
+      unused.flip();
+      auto field = dense_field<PointField>(from, std::move(unused), vertex);
       field ? soup.point_fields.push_back(std::move(*field)) : leave_out("not every vertex has one");
     } else {
-      auto field = dense_field<CellField>(from, cell_of_tag.size(), cell);
+      auto field = dense_field<CellField>(from, std::vector<bool>(cell_of_tag.size(), false), cell);
       field ? soup.cell_fields.push_back(std::move(*field)) : leave_out("not every cell has one");
     }
   }
 }
 
-/// Names of the groups of one dimension; those of others have no place in a mesh, which a warning tells.
-std::map<Marker, std::string> marker_names_of(GmshData& data, int dimension) {
+/// Names of the groups of one dimension.
+std::map<Marker, std::string> names_of_groups(const GmshData& data, int dimension) {
   std::map<Marker, std::string> names;
-  std::string lost;
-  for (auto& [group, name] : data.names) {
-    if (group.first == dimension) {
-      names.emplace(group.second, std::move(name));
-    } else if (group.first == dimension + 1) {
-      lost += (lost.empty() ? "" : ", ") + std::to_string(group.second) + " \"" + name + "\"";
-    }
-  }
-  if (!lost.empty()) data.warnings.push_back("names of regions have no place in a mesh: " + lost);
+  for (const auto& [group, name] : data.names)
+    if (group.first == dimension) names.emplace(group.second, name);
   return names;
 }
 
@@ -139,34 +104,6 @@ void refuse_points_off_the_plane(const std::vector<Point3>& points, const std::s
                        "node " + std::to_string(i) + " (from 0) is at " + mesh::words(points[i]) +
                            ", off the plane z = " + mesh::words(points[0].z) + " of the first",
                        "only meshes in a plane z = const can be read as triangle meshes");
-}
-
-/// data.points is left to the caller.
-template <int Dim>
-MeshSoup<Dim> soup_of(GmshData& data, const std::vector<std::size_t>& new_index, const std::string& source) {
-  MeshSoup<Dim> soup;
-  if constexpr (Dim == 2) {
-    take_fields(data, new_index, {&data.triangles, &data.quadrilaterals}, soup);
-  } else {
-    take_fields(data, new_index, {&data.tetrahedra}, soup);
-  }
-  soup.source = source;
-  soup.note = note;
-  soup.marker_names = marker_names_of(data, Dim - 1);
-  const auto add_cells = [&](const std::vector<GmshCell>& cells, std::uint32_t corners) {
-    for (const GmshCell& cell : cells) {
-      soup.cells.push_back({{}, corners, cell.line});
-      std::copy_n(cell.corners.begin(), corners, soup.cells.back().corners.begin());
-      soup.cell_regions.push_back(cell.group);
-    }
-  };
-  if (Dim == 2) add_cells(data.triangles, 3), add_cells(data.quadrilaterals, 4);
-  if (Dim == 3) add_cells(data.tetrahedra, 4);
-  for (const GmshCell& facet : Dim == 2 ? data.lines : data.triangles) {
-    soup.facets.push_back({{}, facet.group, facet.line});
-    std::copy_n(facet.corners.begin(), Dim, soup.facets.back().corners.begin());
-  }
-  return soup;
 }
 
 /// Cells of several kinds, by their numbers in the file if they have different ones.
@@ -197,45 +134,9 @@ KindedCells cells_of_dimension(const GmshData& data) {
   }
 }
 
-/// data.points is left to the caller.
-template <int Dim>
-MixedSoup<Dim> mixed_soup_of(GmshData& data, const std::vector<std::size_t>& new_index,
-                             const std::string& source) {
-  MixedSoup<Dim> soup;
-  const KindedCells cells = cells_of_dimension<Dim>(data);
-  take_fields(data, new_index, {&cells.cells}, soup);
-  soup.source = source;
-  soup.note = note;
-  soup.mesh.marker_names = marker_names_of(data, Dim - 1);
-  for (std::size_t c = 0; c < cells.cells.size(); ++c) {
-    const GmshCell& cell = cells.cells[c];
-    const CellId id = soup.mesh.add_cell(
-        cells.kinds[c], std::span(cell.corners).first(shape_of(cells.kinds[c]).corner_count));
-    soup.mesh.regions[id] = cell.group;
-    soup.cell_lines.push_back(cell.line);
-  }
-  const auto add_facet = [&](const GmshCell& facet, std::size_t corners) {
-    soup.mesh.boundary.push_back(
-        {MixedFacet<Dim>(std::span<const VertexId>(facet.corners).first(corners)), facet.group});
-    soup.facet_lines.push_back(facet.line);
-  };
-  if constexpr (Dim == 2) {
-    for (const GmshCell& line : data.lines) add_facet(line, 2);
-  } else {
-    const KindedCells faces = cells_of_dimension<2>(data);
-    for (std::size_t f = 0; f < faces.cells.size(); ++f)
-      add_facet(faces.cells[f], shape_of(faces.kinds[f]).corner_count);
-  }
-  const bool has_lines =
-      std::any_of(soup.cell_lines.begin(), soup.cell_lines.end(), [](auto n) { return n != 0; });
-  if (!has_lines) soup.cell_lines.clear(), soup.facet_lines.clear();
-  return soup;
-}
-
-template <class File>
-File with_warnings(File file, const std::vector<std::string>& first) {
-  file.warnings.insert(file.warnings.begin(), first.begin(), first.end());
-  return file;
+void refuse_cells_of_space(const GmshData& data, const std::string& source) {
+  for (const auto* list : {&data.tetrahedra, &data.hexahedra, &data.prisms, &data.pyramids})
+    if (!list->empty()) throw InputError(source, "the file has cells of space", "give a mesh of the plane");
 }
 
 // ---- writing ----
@@ -243,7 +144,8 @@ File with_warnings(File file, const std::vector<std::string>& first) {
 Marker checked_group(Marker marker) {
   if (marker < 0)
     throw InputError("marker " + std::to_string(marker),
-                     "is negative, and Gmsh takes the sign for a direction", "number markers from 0");
+                     "is negative, and Gmsh takes the sign for a direction",
+                     "number markers from 0: leonhard convert --renumber-markers does");
   return marker;
 }
 
@@ -296,11 +198,43 @@ GmshCell cell_of(const Corners& corners, Marker group) {
 Point3 node_of(Point2 p) { return {p.x, p.y, 0}; }
 const Point3& node_of(const Point3& p) { return p; }
 
+/// A number that no group of a dimension has, for cells without one.
+Marker free_group(const GmshData& data, const std::set<Marker>& used, int dimension) {
+  Marker group = 1;
+  while (used.contains(group) || data.names.contains({dimension, group})) ++group;
+  return group;
+}
+
+/// Gmsh drops elements in no group when it saves a mesh: those of dimension Dim - 1 and Dim that have none get one.
+void group_the_ungrouped(GmshData& data, int dimension_of_cells) {
+  const std::array<std::pair<int, std::vector<GmshCell>*>, 7> lists{{{1, &data.lines},
+                                                                     {2, &data.triangles},
+                                                                     {2, &data.quadrilaterals},
+                                                                     {3, &data.tetrahedra},
+                                                                     {3, &data.hexahedra},
+                                                                     {3, &data.prisms},
+                                                                     {3, &data.pyramids}}};
+  for (const int dimension : {dimension_of_cells - 1, dimension_of_cells}) {
+    std::set<Marker> used;
+    for (const auto& [of_list, list] : lists)
+      if (of_list == dimension)
+        for (const GmshCell& cell : *list) used.insert(cell.group);
+    if (!used.contains(0)) continue;
+    const Marker group = free_group(data, used, dimension);
+    data.names.emplace(std::pair(dimension, group), gmsh_name_of_none(dimension == dimension_of_cells));
+    for (const auto& [of_list, list] : lists)
+      if (of_list == dimension)
+        for (GmshCell& cell : *list)
+          if (cell.group == 0) cell.group = group;
+  }
+}
+
 template <int Dim>
 GmshData data_of(const SimplexMesh<Dim>& mesh) {
   GmshData data;
   for (const auto& p : mesh.points) data.points.push_back(node_of(p));
   add_names(data, mesh.marker_names, Dim - 1);
+  add_names(data, mesh.region_names, Dim);
   for (const auto* facets : {&mesh.boundary, &mesh.inner_facets()})
     for (const auto& facet : *facets)
       (Dim == 2 ? data.lines : data.triangles)
@@ -309,6 +243,7 @@ GmshData data_of(const SimplexMesh<Dim>& mesh) {
   for (const auto t : mesh.corners.ids())
     (Dim == 2 ? data.triangles : data.tetrahedra)
         .push_back(cell_of(mesh.corners[t], regions.empty() ? 0 : regions[t.index()]));
+  group_the_ungrouped(data, Dim);
   return data;
 }
 
@@ -337,6 +272,7 @@ GmshData data_of(const MixedMesh<Dim>& mesh) {
   GmshData data;
   for (const auto& p : mesh.points) data.points.push_back(node_of(p));
   add_names(data, mesh.marker_names, Dim - 1);
+  add_names(data, mesh.region_names, Dim);
   std::uint64_t number = 0;
   const auto add = [&](std::vector<GmshCell>& list, const auto& corners, Marker group) {
     list.push_back(cell_of(corners, group));
@@ -351,58 +287,69 @@ GmshData data_of(const MixedMesh<Dim>& mesh) {
   const std::vector<Marker> regions = whole_regions(mesh.regions, 0);
   for (const CellId cell : mesh.kinds.ids())
     add(list_of_kind(data, mesh.kinds[cell]), mesh.corners_of(cell), regions[cell.index()]);
+  group_the_ungrouped(data, Dim);
   return data;
 }
 
 }  // namespace
 
-TetMeshFile parse_tet_gmsh(std::string_view bytes, const std::string& source) {
-  GmshData data = parse_gmsh_data(bytes, source);
-  if (!data.quadrilaterals.empty())
-    throw InputError(source, "the file has quadrilaterals", "a tetrahedral mesh has none");
-  const auto new_index = drop_unused_nodes(data, {{&data.tetrahedra, 4}, {&data.triangles, 3}});
-  MeshSoup<3> soup = soup_of<3>(data, new_index, source);
-  soup.points = PerId<VertexId, Point3>(std::move(data.points));
-  return with_warnings(assemble(std::move(soup), FacetRule::fill_in_the_boundary), data.warnings);
-}
-
-MeshFile parse_gmsh(std::string_view bytes, const std::string& source) {
-  GmshData data = parse_gmsh_data(bytes, source);
-  if (!data.tetrahedra.empty())
-    throw InputError(source, "the file has tetrahedra: it is a mesh of space", "give a mesh of triangles");
-  const auto new_index =
-      drop_unused_nodes(data, {{&data.triangles, 3}, {&data.quadrilaterals, 4}, {&data.lines, 2}});
-  refuse_points_off_the_plane(data.points, source);
-  MeshSoup<2> soup = soup_of<2>(data, new_index, source);
-  for (const Point3& p : data.points) soup.points.push_back({p.x, p.y});
-  return with_warnings(assemble(std::move(soup), FacetRule::fill_in_the_boundary), data.warnings);
-}
-
 template <int Dim>
-MixedMeshFile<Dim> parse_mixed_gmsh(std::string_view bytes, const std::string& source) {
-  GmshData data = parse_gmsh_data(bytes, source, GmshKinds::all);
-  Lists lists{{&data.triangles, 3}, {&data.quadrilaterals, 4}};
-  const Lists solids{{&data.tetrahedra, 4}, {&data.hexahedra, 8}, {&data.prisms, 6}, {&data.pyramids, 5}};
+MeshSoup<Dim> gmsh_soup(GmshData&& data, const std::string& source) {
   if constexpr (Dim == 2) {
-    lists.push_back({&data.lines, 2});
-    for (const auto& list : solids)
-      if (!list.first->empty())
-        throw InputError(source, "the file has cells of space",
-                         "give a mesh of triangles and quadrilaterals");
-  } else {
-    lists.insert(lists.end(), solids.begin(), solids.end());
+    refuse_cells_of_space(data, source);
+    refuse_points_off_the_plane(data.points, source);
   }
-  const auto new_index = drop_unused_nodes(data, lists);
-  if (Dim == 2) refuse_points_off_the_plane(data.points, source);
-  MixedSoup<Dim> soup = mixed_soup_of<Dim>(data, new_index, source);
+  MeshSoup<Dim> soup;
+  soup.source = source;
+  soup.note = note;
+  const KindedCells cells = cells_of_dimension<Dim>(data);
+  std::vector<bool> used(data.points.size(), false);
+  for (std::size_t c = 0; c < cells.cells.size(); ++c) {
+    const GmshCell& cell = cells.cells[c];
+    const auto corners = std::span(cell.corners).first(shape_of(cells.kinds[c]).corner_count);
+    for (const VertexId v : corners) used[v.index()] = true;
+    soup.mesh.regions[soup.add_cell(cells.kinds[c], corners, cell.line)] = cell.group;
+  }
+  take_fields(data, used, cells.cells, soup);
+  soup.mesh.marker_names = names_of_groups(data, Dim - 1);
+  soup.mesh.region_names = names_of_groups(data, Dim);
   if constexpr (Dim == 2) {
+    for (const GmshCell& line : data.lines)
+      soup.add_facet(std::span(line.corners).first(2), line.group, line.line);
     for (const Point3& p : data.points) soup.mesh.points.push_back({p.x, p.y});
   } else {
+    const KindedCells faces = cells_of_dimension<2>(data);
+    for (std::size_t f = 0; f < faces.cells.size(); ++f)
+      soup.add_facet(std::span(faces.cells[f].corners).first(shape_of(faces.kinds[f]).corner_count),
+                     faces.cells[f].group, faces.cells[f].line);
     soup.mesh.points = PerId<VertexId, Point3>(std::move(data.points));
   }
-  return with_warnings(assemble(std::move(soup), FacetRule::fill_in_the_boundary), data.warnings);
+  soup.warnings = std::move(data.warnings);
+  return soup;
 }
 
+int dimension_of(const GmshData& data) {
+  for (const auto* list : {&data.tetrahedra, &data.hexahedra, &data.prisms, &data.pyramids})
+    if (!list->empty()) return 3;
+  return std::all_of(data.points.begin(), data.points.end(),
+                     [&](const Point3& p) { return p.z == data.points[0].z; })
+             ? 2
+             : 3;
+}
+
+template MeshSoup<2> gmsh_soup(GmshData&&, const std::string&);
+template MeshSoup<3> gmsh_soup(GmshData&&, const std::string&);
+
+TetMeshFile parse_tet_gmsh(std::string_view bytes, const std::string& source) {
+  return assemble_simplices(gmsh_soup<3>(parse_gmsh_data(bytes, source), source));
+}
+MeshFile parse_gmsh(std::string_view bytes, const std::string& source) {
+  return assemble_simplices(gmsh_soup<2>(parse_gmsh_data(bytes, source), source));
+}
+template <int Dim>
+MixedMeshFile<Dim> parse_mixed_gmsh(std::string_view bytes, const std::string& source) {
+  return assemble_mixed(gmsh_soup<Dim>(parse_gmsh_data(bytes, source), source));
+}
 template <int Dim>
 MixedMeshFile<Dim> read_mixed_gmsh(const std::filesystem::path& path) {
   return parse_mixed_gmsh<Dim>(read_whole_file(path), path.string());

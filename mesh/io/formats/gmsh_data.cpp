@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/formats/gmsh_numbers.hpp"
@@ -16,37 +17,67 @@ namespace leonhard::io {
 
 namespace {
 
-/// What Gmsh calls an element type: how many nodes, and what becomes of it.
-struct ElementType {
-  std::int32_t number;
-  std::size_t nodes;
-  int dimension;
-  const char* name;
-  bool is_read;  ///< else it is left out in dimensions 0 and 1, and refused above
+/// Lists of elements by shape.
+enum GmshList : std::size_t {
+  lines,
+  triangles,
+  quadrilaterals,
+  tetrahedra,
+  hexahedra,
+  prisms,
+  pyramids,
+  list_count
 };
 
-constexpr std::array<ElementType, 19> element_types{{{1, 2, 1, "lines", true},
-                                                     {2, 3, 2, "triangles", true},
-                                                     {3, 4, 2, "quadrilaterals", true},
-                                                     {4, 4, 3, "tetrahedra", true},
-                                                     {5, 8, 3, "hexahedra", true},
-                                                     {6, 6, 3, "prisms", true},
-                                                     {7, 5, 3, "pyramids", true},
-                                                     {8, 3, 1, "three-node lines", false},
-                                                     {9, 6, 2, "six-node triangles", false},
-                                                     {10, 9, 2, "nine-node quadrilaterals", false},
-                                                     {11, 10, 3, "ten-node tetrahedra", false},
-                                                     {12, 27, 3, "27-node hexahedra", false},
-                                                     {13, 18, 3, "18-node prisms", false},
-                                                     {14, 14, 3, "14-node pyramids", false},
-                                                     {15, 1, 0, "points", false},
-                                                     {16, 8, 2, "eight-node quadrilaterals", false},
-                                                     {17, 20, 3, "20-node hexahedra", false},
-                                                     {18, 15, 3, "15-node prisms", false},
-                                                     {19, 13, 3, "13-node pyramids", false}}};
+/// What Gmsh calls an element type: how many nodes, corners first, and which list it goes to (points: none).
+struct ElementType {
+  std::int32_t number;
+  std::size_t nodes, list = list_count;
+};
 
-constexpr std::int32_t tetrahedron_type = 4;
-constexpr std::size_t types_read = 7;  ///< the first ones
+constexpr std::array<std::size_t, list_count> corners_in_list{2, 3, 4, 4, 8, 6, 5};
+constexpr std::array<int, list_count> dimension_of_list{1, 2, 2, 3, 3, 3, 3};
+
+constexpr std::array element_types{ElementType{1, 2, lines},
+                                   ElementType{2, 3, triangles},
+                                   ElementType{3, 4, quadrilaterals},
+                                   ElementType{4, 4, tetrahedra},
+                                   ElementType{5, 8, hexahedra},
+                                   ElementType{6, 6, prisms},
+                                   ElementType{7, 5, pyramids},
+                                   ElementType{8, 3, lines},
+                                   ElementType{9, 6, triangles},
+                                   ElementType{10, 9, quadrilaterals},
+                                   ElementType{11, 10, tetrahedra},
+                                   ElementType{12, 27, hexahedra},
+                                   ElementType{13, 18, prisms},
+                                   ElementType{14, 14, pyramids},
+                                   ElementType{15, 1},
+                                   ElementType{16, 8, quadrilaterals},
+                                   ElementType{17, 20, hexahedra},
+                                   ElementType{18, 15, prisms},
+                                   ElementType{19, 13, pyramids},
+                                   ElementType{20, 9, triangles},
+                                   ElementType{21, 10, triangles},
+                                   ElementType{22, 12, triangles},
+                                   ElementType{23, 15, triangles},
+                                   ElementType{24, 15, triangles},
+                                   ElementType{25, 21, triangles},
+                                   ElementType{26, 4, lines},
+                                   ElementType{27, 5, lines},
+                                   ElementType{28, 6, lines},
+                                   ElementType{29, 20, tetrahedra},
+                                   ElementType{30, 35, tetrahedra},
+                                   ElementType{31, 56, tetrahedra},
+                                   ElementType{36, 16, quadrilaterals},
+                                   ElementType{37, 25, quadrilaterals},
+                                   ElementType{38, 36, quadrilaterals},
+                                   ElementType{90, 40, prisms},
+                                   ElementType{91, 75, prisms},
+                                   ElementType{92, 64, hexahedra},
+                                   ElementType{93, 125, hexahedra}};
+
+enum class GmshVersionRead { v1, v2, v4_0, v4_1 };
 
 constexpr std::uint64_t most_nodes = std::numeric_limits<IdRaw>::max() / 2;
 
@@ -88,8 +119,8 @@ class NodeTags {
 
 class GmshParser {
  public:
-  GmshParser(GmshNumbers& numbers, bool is_version_4, GmshKinds kinds, const std::string& source)
-      : numbers_(numbers), is_version_4_(is_version_4), kinds_(kinds), source_(source) {}
+  GmshParser(GmshNumbers& numbers, GmshVersionRead version, const std::string& source)
+      : numbers_(numbers), version_(version), source_(source) {}
 
   GmshData parse() {
     for (std::string line(numbers_.text_line()); !line.empty(); line = numbers_.text_line()) {
@@ -100,29 +131,43 @@ class GmshParser {
     for (const char* section : {"Nodes", "Elements"})
       if (!sections_.contains(section))
         numbers_.fail(std::string("the file ends without a section $") + section, "it was cut short");
-    choose_groups();
+    finish();
     return std::move(data_);
   }
 
  private:
+  [[nodiscard]] bool has_blocks() const {
+    return version_ == GmshVersionRead::v4_0 || version_ == GmshVersionRead::v4_1;
+  }
+
+  /// What a section is called in version 2 and 4; "" if it is none of those that are read.
+  [[nodiscard]] static std::string known_name(const std::string& name) {
+    if (name == "NOD" || name == "ParametricNodes") return "Nodes";
+    if (name == "ELM") return "Elements";
+    static const std::set<std::string> known{"Nodes", "Elements", "Entities", "PartitionedEntities",
+                                             "PhysicalNames"};
+    return known.contains(name) ? name : "";
+  }
+
   void read_section(const std::string& name) {
-    if (name == "Nodes" || name == "Elements" || name == "Entities" || name == "PhysicalNames") {
-      if (!sections_.insert(name).second) numbers_.fail("the section $" + name + " comes a second time");
-      if (name == "PhysicalNames") read_names();
-      if (name == "Entities") read_entities();
-      if (name == "Nodes") is_version_4_ ? read_node_blocks() : read_nodes();
-      if (name == "Elements") is_version_4_ ? read_element_blocks() : read_elements();
+    const std::string known = known_name(name);
+    if (!known.empty()) {
+      if (!sections_.insert(known).second) numbers_.fail("the section $" + name + " comes a second time");
+      if (known == "PhysicalNames") read_names();
+      if (known == "Entities") read_entities(false);
+      if (known == "PartitionedEntities") read_entities(true);
+      if (known == "Nodes") has_blocks() ? read_node_blocks() : read_nodes(name == "ParametricNodes");
+      if (known == "Elements") has_blocks() ? read_element_blocks() : read_elements();
       const std::string_view end = numbers_.text_line();
-      if (end != "$End" + name)
+      const std::string expected = (version_ == GmshVersionRead::v1 ? "$END" : "$End") + name;
+      if (end != expected)
         numbers_.fail(end.empty() ? "the file ends inside the section $" + name
-                                  : "found " + in_quotes(end) + " where $End" + name + " was expected",
+                                  : "found " + in_quotes(end) + " where " + expected + " was expected",
                       "a count is wrong, or the file was cut short");
       return;
     }
-    if (name == "PartitionedEntities")
-      numbers_.fail("the mesh is partitioned", "save it as one (Gmsh: Mesh.SaveAll after unpartitioning)");
     if (name == "NodeData" || name == "ElementData") return read_values(name);
-    if (name != "Comments")
+    if (name != "Comments" && name != "GhostElements")
       data_.warnings.push_back(numbers_.where() + ": the section $" + name + " was passed over");
     numbers_.skip_past("$End" + name);
   }
@@ -214,29 +259,54 @@ class GmshParser {
     return std::abs(group);
   }
 
-  void read_entities() {
+  void read_entities(bool partitioned) {
+    if (partitioned) read_partition_head();
     std::array<std::uint64_t, 4> counts{};
     for (std::uint64_t& count : counts) count = numbers_.size("a number of entities");
     for (int dimension = 0; dimension < 4; ++dimension) {
       const std::uint64_t count = counts[static_cast<std::size_t>(dimension)];
       numbers_.need(count, dimension == 0 ? 5 : 8, "entities");
-      for (std::uint64_t i = 0; i < count; ++i) read_entity(dimension);
+      for (std::uint64_t i = 0; i < count; ++i) read_entity(dimension, partitioned);
     }
   }
 
-  void read_entity(int dimension) {
+  void read_partition_head() {
+    numbers_.size("the number of partitions");
+    const std::uint64_t ghosts = numbers_.size("the number of ghost entities");
+    numbers_.need(ghosts, 2, "ghost entities");
+    for (std::uint64_t i = 0; i < 2 * ghosts; ++i) numbers_.integer("a ghost entity or its partition");
+  }
+
+  /// What an entity is to the elements on it.
+  struct GmshEntity {
+    Marker group = 0;
+    Marker number = 0;     ///< of the entity, or of the one that a partition cut it from
+    bool is_seam = false;  ///< made by a partition, within an entity of higher dimension
+  };
+
+  void read_entity(int dimension, bool partitioned) {
     const std::int32_t tag = numbers_.integer("the number of an entity");
-    for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) numbers_.real("a corner of the box about an entity");
+    GmshEntity entity;
+    entity.number = magnitude(tag);
+    if (partitioned) {
+      const std::int32_t parent_dimension = numbers_.integer("the dimension of an entity's parent");
+      entity.number = magnitude(numbers_.integer("the number of an entity's parent"));
+      entity.is_seam = parent_dimension > dimension;
+      const std::uint64_t partitions = numbers_.size("the number of partitions of an entity");
+      numbers_.need(partitions, 1, "partitions");
+      for (std::uint64_t i = 0; i < partitions; ++i) numbers_.integer("the number of a partition");
+    }
+    const bool is_place = dimension == 0 && version_ == GmshVersionRead::v4_1;
+    for (int i = 0; i < (is_place ? 3 : 6); ++i) numbers_.real("a corner of the box about an entity");
     const std::uint64_t groups = numbers_.size("the number of physical groups of an entity");
     numbers_.need(groups, 1, "physical groups");
-    for (std::uint64_t i = 0; i < groups; ++i) {
-      const Marker group = magnitude(numbers_.integer("the number of a physical group"));
-      if (i == 0) group_of_entity_[{dimension, tag}] = group;
-    }
-    if (groups > 1 && dimension >= 1)
-      data_.warnings.push_back("entity " + std::to_string(tag) + " of dimension " +
-                               std::to_string(dimension) + " is in " + std::to_string(groups) +
-                               " physical groups; the first one was taken");
+    std::vector<Marker> all;
+    for (std::uint64_t i = 0; i < groups; ++i)
+      all.push_back(magnitude(numbers_.integer("the number of a physical group")));
+    if (!all.empty()) entity.group = all.front();
+    for (std::size_t i = 1; dimension > 0 && !entity.is_seam && i < all.size(); ++i)
+      several_groups_.insert({dimension, all.front(), all[i]});
+    entities_[{dimension, tag}] = entity;
     if (dimension == 0) return;
     const std::uint64_t bounding = numbers_.size("the number of entities that bound another");
     numbers_.need(bounding, 1, "bounding entities");
@@ -270,7 +340,7 @@ class GmshParser {
                     "give each node a number of its own");
   }
 
-  void read_nodes() {
+  void read_nodes(bool parametric) {
     const std::size_t count = read_line_count("the number of nodes");
     need_nodes(count, 4);
     for (std::size_t i = 0; i < count; ++i) {
@@ -278,20 +348,33 @@ class GmshParser {
       if (tag < 0) numbers_.fail("a node has the number " + std::to_string(tag));
       tags_.add(static_cast<std::uint64_t>(tag));
       add_point();
+      if (!parametric) continue;
+      const std::int32_t dimension = numbers_.integer("the dimension of a node's entity");
+      numbers_.integer("the number of a node's entity");
+      for (int k = 0; k < (dimension == 1 || dimension == 2 ? dimension : 0); ++k)
+        numbers_.real("a parameter of a node");
     }
     check_tags();
   }
 
+  /// Version 4.1 gives all tags of a block before the coordinates, 4.0 one by one, and in another order of the header.
   void read_node_blocks() {
+    const bool is_old = version_ == GmshVersionRead::v4_0;
     const std::uint64_t blocks = numbers_.size("the number of blocks of nodes");
     const std::uint64_t total = numbers_.size("the number of nodes");
-    numbers_.size("the least number of a node");
-    numbers_.size("the largest number of a node");
+    if (!is_old) {
+      numbers_.size("the least number of a node");
+      numbers_.size("the largest number of a node");
+    }
     numbers_.need(blocks, 4, "blocks");
     need_nodes(total, 4);
     for (std::uint64_t b = 0; b < blocks; ++b) {
-      const std::int32_t dimension = numbers_.integer("the dimension of an entity");
-      numbers_.integer("the number of an entity");
+      std::int32_t dimension = numbers_.integer("the dimension of an entity");
+      if (is_old) {
+        dimension = numbers_.integer("the dimension of an entity");
+      } else {
+        numbers_.integer("the number of an entity");
+      }
       const std::int32_t parametric = numbers_.integer("whether nodes have parameters");
       if (dimension < 0 || dimension > 3 || (parametric != 0 && parametric != 1))
         numbers_.fail("the header of a block of nodes makes no sense (dimension " +
@@ -299,8 +382,9 @@ class GmshParser {
       const std::uint64_t count = numbers_.size("the number of nodes of a block");
       if (count > total - data_.points.size())
         numbers_.fail("the blocks hold more nodes than the section declares");
-      for (std::uint64_t i = 0; i < count; ++i) tags_.add(numbers_.size("the number of a node"));
+      for (std::uint64_t i = 0; !is_old && i < count; ++i) tags_.add(numbers_.size("the number of a node"));
       for (std::uint64_t i = 0; i < count; ++i) {
+        if (is_old) tags_.add(old_node());
         add_point();
         for (int k = 0; k < (parametric == 1 ? dimension : 0); ++k) numbers_.real("a parameter of a node");
       }
@@ -316,20 +400,11 @@ class GmshParser {
   const ElementType& type_of(std::int32_t number) const {
     const auto found = std::find_if(element_types.begin(), element_types.end(),
                                     [&](const ElementType& type) { return type.number == number; });
-    const bool is_known = found != element_types.end();
-    const bool is_taken =
-        is_known && found->is_read && (kinds_ == GmshKinds::all || number <= tetrahedron_type);
-    if (!is_known || (!is_taken && found->dimension > 1))
-      numbers_.fail("the file has " +
-                        (is_known ? std::string(found->name) : "elements of type " + std::to_string(number)),
-                    kinds_ == GmshKinds::all ? "only cells of the first order can be read"
-                                             : "only points, lines, triangles, quadrilaterals and tetrahedra "
-                                               "of the first order can be read");
+    if (found == element_types.end())
+      numbers_.fail(
+          "the file has elements of type " + std::to_string(number),
+          "lines, triangles, quadrilaterals, tetrahedra, hexahedra, prisms and pyramids can be read");
     return *found;
-  }
-
-  std::vector<CellOnEntity>& list_of(const ElementType& type) {
-    return cells_[static_cast<std::size_t>(type.number) - 1];
   }
 
   VertexId node(std::uint64_t tag) const {
@@ -344,14 +419,18 @@ class GmshParser {
 
   /// An element after its tags. next: reads the tag of a node
   template <class Next>
-  void read_element(const ElementType& type, std::uint64_t element, Marker group, Marker entity,
+  void read_element(const ElementType& type, std::uint64_t element, const GmshEntity& entity,
                     const Next& next) {
-    CellOnEntity result{{{}, group, numbers_.line(), element}, entity};
+    CellOnEntity result{{{}, entity.group, numbers_.line(), element}, entity.number};
+    const bool is_taken = type.list != list_count && !entity.is_seam;
+    const std::size_t corners = is_taken ? corners_in_list[type.list] : 0;
     for (std::size_t k = 0; k < type.nodes; ++k) {
       const std::uint64_t tag = next();
-      if (type.is_read) result.cell.corners[k] = node(tag);
+      if (k < corners) result.cell.corners[k] = node(tag);
     }
-    if (type.is_read) list_of(type).push_back(result);
+    if (!is_taken) return;
+    if (type.nodes > corners) ++of_higher_order_;
+    cells_[type.list].push_back(result);
   }
 
   std::uint64_t old_node() {
@@ -361,14 +440,17 @@ class GmshParser {
   }
 
   void read_old_element(const ElementType& type, std::int32_t element, std::int32_t tags) {
-    Marker group = 0, entity = 0;
+    GmshEntity entity;
     for (std::int32_t i = 0; i < tags; ++i) {
       const std::int32_t tag = numbers_.integer("a tag of an element");
-      if (i == 0) group = magnitude(tag);
-      if (i == 1) entity = magnitude(tag);
+      if (i == 0) entity.group = magnitude(tag);
+      if (i == 1) entity.number = magnitude(tag);
     }
-    read_element(type, static_cast<std::uint64_t>(std::max(element, 0)), group, entity,
-                 [&] { return old_node(); });
+    if (version_ == GmshVersionRead::v1 &&
+        numbers_.integer("the number of nodes of an element") != static_cast<std::int32_t>(type.nodes))
+      numbers_.fail("an element of type " + std::to_string(type.number) +
+                    " has another number of nodes than " + std::to_string(type.nodes));
+    read_element(type, static_cast<std::uint64_t>(std::max(element, 0)), entity, [&] { return old_node(); });
   }
 
   void check_tag_count(std::int32_t tags) const {
@@ -384,7 +466,8 @@ class GmshParser {
     for (std::size_t i = 0; i < count; ++i) {
       const std::int32_t element = numbers_.integer("the number of an element");
       const ElementType& type = type_of(numbers_.integer("the type of an element"));
-      const std::int32_t tags = numbers_.integer("the number of tags of an element");
+      const std::int32_t tags =
+          version_ == GmshVersionRead::v1 ? 2 : numbers_.integer("the number of tags of an element");
       check_tag_count(tags);
       read_old_element(type, element, tags);
     }
@@ -412,24 +495,28 @@ class GmshParser {
 
   void read_element_blocks() {
     need_nodes_first();
+    const bool is_old = version_ == GmshVersionRead::v4_0;
     const std::uint64_t blocks = numbers_.size("the number of blocks of elements");
     const std::uint64_t total = numbers_.size("the number of elements");
-    numbers_.size("the least number of an element");
-    numbers_.size("the largest number of an element");
+    if (!is_old) {
+      numbers_.size("the least number of an element");
+      numbers_.size("the largest number of an element");
+    }
     numbers_.need(blocks, 4, "blocks");
     std::uint64_t done = 0;
     for (std::uint64_t b = 0; b < blocks; ++b) {
-      numbers_.integer("the dimension of an entity");
-      const std::int32_t entity = numbers_.integer("the number of an entity");
+      std::int32_t tag =
+          numbers_.integer("the number of an entity");  // of 4.1 its dimension, of 4.0 then the dimension
+      const std::int32_t second = numbers_.integer("the number of an entity");
+      if (!is_old) tag = second;
       const ElementType& type = type_of(numbers_.integer("the type of elements"));
       const std::uint64_t count = numbers_.size("the number of elements of a block");
       numbers_.need(count, 1 + type.nodes, "elements");
-      const auto found = group_of_entity_.find({type.dimension, entity});
-      const Marker group = found == group_of_entity_.end() ? 0 : found->second;
+      const GmshEntity entity = entity_of(type, tag);
       for (std::uint64_t i = 0; i < count; ++i) {
-        const std::uint64_t element = numbers_.size("the number of an element");
-        read_element(type, element, group, magnitude(entity),
-                     [&] { return numbers_.size("a node of an element"); });
+        const std::uint64_t element = is_old ? old_node() : numbers_.size("the number of an element");
+        read_element(type, element, entity,
+                     [&] { return is_old ? old_node() : numbers_.size("a node of an element"); });
       }
       done += count;
     }
@@ -438,46 +525,141 @@ class GmshParser {
                     std::to_string(done));
   }
 
+  GmshEntity entity_of(const ElementType& type, std::int32_t tag) const {
+    const int dimension = type.list == list_count ? 0 : dimension_of_list[type.list];
+    if (const auto found = entities_.find({dimension, tag}); found != entities_.end()) return found->second;
+    GmshEntity entity;
+    entity.number = magnitude(tag);
+    return entity;
+  }
+
   // ---- the end ----
 
-  /// Groups as they are or, where the file knows nothing of groups, the entities' numbers.
-  void choose_groups() {
-    const auto in_a_group = [](const CellOnEntity& c) { return c.cell.group != 0; };
-    const bool by_entity =
-        !sections_.contains("PhysicalNames") &&
-        std::none_of(cells_.begin(), cells_.end(), [&](const std::vector<CellOnEntity>& list) {
-          return std::any_of(list.begin(), list.end(), in_a_group);
-        });
-    const std::array<std::vector<GmshCell>*, types_read> lists{
+  void finish() {
+    for (std::size_t list = 0; !has_blocks() && list < list_count; ++list) drop_repeated(list);
+    if (of_higher_order_ > 0)
+      data_.warnings.push_back(std::to_string(of_higher_order_) +
+                               " elements are of higher order; they were read by their corners");
+    tell_several_groups();
+    for (int dimension = 1; dimension <= 3; ++dimension) number_ungrouped(dimension);
+    const std::array<std::vector<GmshCell>*, list_count> lists{
         &data_.lines,     &data_.triangles, &data_.quadrilaterals, &data_.tetrahedra,
         &data_.hexahedra, &data_.prisms,    &data_.pyramids};
-    for (std::size_t i = 0; i < lists.size(); ++i) {
+    for (std::size_t i = 0; i < list_count; ++i) {
       lists[i]->reserve(cells_[i].size());
-      for (CellOnEntity& c : cells_[i]) {
-        if (by_entity) c.cell.group = c.entity;
-        lists[i]->push_back(c.cell);
-      }
+      for (const CellOnEntity& c : cells_[i]) lists[i]->push_back(c.cell);
       cells_[i] = {};
     }
-    if (by_entity)
+  }
+
+  /// An element in several groups is listed several times, with the same nodes.
+  void drop_repeated(std::size_t list) {
+    auto& cells = cells_[list];
+    const auto key_of = [&](std::size_t i) {
+      auto key = cells[i].cell.corners;
+      std::sort(key.begin(), key.begin() + static_cast<std::ptrdiff_t>(corners_in_list[list]));
+      return key;
+    };
+    std::vector<std::pair<std::array<VertexId, most_cell_corners>, std::size_t>> sorted;
+    sorted.reserve(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) sorted.emplace_back(key_of(i), i);
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<bool> dropped(cells.size(), false);
+    for (std::size_t i = 1, first = 0; i < sorted.size(); ++i) {
+      if (sorted[i].first != sorted[first].first) {
+        first = i;
+        continue;
+      }
+      const Marker group = cells[sorted[first].second].cell.group, other = cells[sorted[i].second].cell.group;
+      if (group == other) continue;  // a repetition that groups do not explain is left to the mesh's checks
+      dropped[sorted[i].second] = true;
+      several_groups_.insert({dimension_of_list[list], group, other});
+    }
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (!dropped[i]) cells[next++] = cells[i];
+    cells.resize(next);
+  }
+
+  /// "11 "wall"", or the number alone.
+  [[nodiscard]] std::string group_words(int dimension, Marker group) const {
+    const auto name = data_.names.find({dimension, group});
+    return std::to_string(group) + (name == data_.names.end() ? "" : " " + in_quotes(name->second));
+  }
+
+  void tell_several_groups() {
+    std::string list;
+    for (const auto& [dimension, first, other] : several_groups_)
+      list += (list.empty() ? "" : "; ") + group_words(dimension, first) + ", also in " +
+              group_words(dimension, other);
+    if (!list.empty())
+      data_.warnings.push_back("elements are in several physical groups, of which the first was taken: " +
+                               list);
+  }
+
+  /// Of one dimension: groups that say that there is none become 0, elements in no group get their entity's number.
+  void number_ungrouped(int dimension) {
+    std::set<Marker> groups;
+    for (const auto& [group, name] : data_.names)
+      if (group.first == dimension) groups.insert(group.second);
+    std::size_t ungrouped = 0;
+    const auto for_each_cell = [&](auto visit) {
+      for (std::size_t list = 0; list < list_count; ++list)
+        if (dimension_of_list[list] == dimension)
+          for (CellOnEntity& c : cells_[list]) visit(c);
+    };
+    for_each_cell([&](const CellOnEntity& c) {
+      groups.insert(c.cell.group);
+      if (c.cell.group == 0 && c.entity != 0) ++ungrouped;
+    });
+    if (ungrouped > 0) {
+      std::map<Marker, Marker> number_of;
+      for_each_cell([&](CellOnEntity& c) {
+        if (c.cell.group != 0 || c.entity == 0) return;
+        const auto [at, is_new] = number_of.emplace(c.entity, c.entity);
+        if (is_new) {
+          while (groups.contains(at->second)) ++at->second;
+          groups.insert(at->second);
+        }
+        c.cell.group = at->second;
+      });
+      const bool changed =
+          std::any_of(number_of.begin(), number_of.end(), [](const auto& n) { return n.first != n.second; });
       data_.warnings.push_back(
-          source_ + ": there are no physical groups; the numbers of the geometry's entities are the markers");
+          std::to_string(ungrouped) + " elements of dimension " + std::to_string(dimension) +
+          " are in no physical group; the numbers of the geometry's entities stand for it" +
+          (changed ? ", the next free ones where a group has that number" : ""));
+    }
+    for (auto name = data_.names.begin(); name != data_.names.end();) {
+      const bool is_none = name->first.first == dimension && (name->second == gmsh_name_of_none(false) ||
+                                                              name->second == gmsh_name_of_none(true));
+      if (!is_none) {
+        ++name;
+        continue;
+      }
+      for_each_cell([&](CellOnEntity& c) {
+        if (c.cell.group == name->first.second) c.cell.group = 0;
+      });
+      name = data_.names.erase(name);
+    }
   }
 
   GmshNumbers& numbers_;
-  bool is_version_4_;
-  GmshKinds kinds_;
+  GmshVersionRead version_;
   const std::string& source_;
   GmshData data_;
   std::set<std::string> sections_;
-  std::map<std::pair<int, std::int32_t>, Marker> group_of_entity_;
+  std::map<std::pair<int, std::int32_t>, GmshEntity> entities_;
+  std::set<std::tuple<int, Marker, Marker>> several_groups_;  ///< dimension, the first one, another
   NodeTags tags_;
-  std::array<std::vector<CellOnEntity>, types_read> cells_;  ///< by type
+  std::array<std::vector<CellOnEntity>, list_count> cells_;
+  std::size_t of_higher_order_ = 0;
 };
 
 /// What the section $MeshFormat says.
 struct GmshFormat {
-  bool is_version_4 = false, is_binary = false, swapped = false;
+  GmshVersionRead version = GmshVersionRead::v4_1;
+  bool is_binary = false, swapped = false;
   std::size_t bytes = 0;  ///< of the section: what follows begins there
 };
 
@@ -508,9 +690,13 @@ GmshFormat read_format(std::string_view bytes, const std::string& source) {
   const std::int64_t kind = scan.integer("0 for text or 1 for binary"),
                      size = scan.integer("the size of a number");
   GmshFormat format;
-  format.is_version_4 = version == 4.1;
-  if (!format.is_version_4 && version != 2.2 && version != 2.1 && version != 2)
-    scan.fail("the format has another version than 2.2 and 4.1", "save it again (Gmsh: -format msh41)");
+  if (version == 4) {
+    format.version = GmshVersionRead::v4_0;
+  } else if (version == 2.2 || version == 2.1 || version == 2) {
+    format.version = GmshVersionRead::v2;
+  } else if (version != 4.1) {
+    scan.fail("the format has another version than 2.2, 4 and 4.1", "save it again (Gmsh: -format msh41)");
+  }
   if ((kind != 0 && kind != 1) || size != 8)
     scan.fail("the line of the format makes no sense", "expected is \"4.1 0 8\"");
   format.is_binary = kind == 1;
@@ -523,25 +709,34 @@ GmshFormat read_format(std::string_view bytes, const std::string& source) {
 }
 
 /// The scanner of a text stands before $EndMeshFormat here, and so does the one of binary data.
-GmshData parse_body(GmshNumbers& numbers, const GmshFormat& format, GmshKinds kinds,
-                    const std::string& source) {
+GmshData parse_body(GmshNumbers& numbers, const GmshFormat& format, const std::string& source) {
   const std::string_view end = numbers.text_line();
   if (end != "$EndMeshFormat") numbers.fail("found " + in_quotes(end) + " where $EndMeshFormat was expected");
-  return GmshParser(numbers, format.is_version_4, kinds, source).parse();
+  return GmshParser(numbers, format.version, source).parse();
+}
+
+/// Version 1 has no section of the format.
+bool is_version_1(std::string_view bytes) {
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && bytes.substr(begin).starts_with("$NOD");
 }
 
 }  // namespace
 
-GmshData parse_gmsh_data(std::string_view bytes, const std::string& source, GmshKinds kinds) {
+GmshData parse_gmsh_data(std::string_view bytes, const std::string& source) {
+  if (is_version_1(bytes)) {
+    GmshText numbers(bytes, source);
+    return GmshParser(numbers, GmshVersionRead::v1, source).parse();
+  }
   const GmshFormat format = read_format(bytes, source);
   if (format.is_binary) {
     GmshBytes numbers(bytes, source, format.bytes, format.swapped);
-    return parse_body(numbers, format, kinds, source);
+    return parse_body(numbers, format, source);
   }
   GmshText numbers(bytes, source);
   numbers.text_line();  // $MeshFormat
   numbers.text_line();  // the line just read
-  return parse_body(numbers, format, kinds, source);
+  return parse_body(numbers, format, source);
 }
 
 }  // namespace leonhard::io

@@ -44,19 +44,24 @@ struct GmshData {
   std::vector<std::string> warnings;
 };
 
-/// Which cells a reader takes.
-enum class GmshKinds { up_to_tetrahedra, all };
+/// A file of format 1, 2.0 to 2.2, 4.0 or 4.1, text or binary of either byte order (https://gmsh.info/doc/texinfo/gmsh.html,
+/// "Gmsh file formats"). Points are left out, and sections of other data than nodes' and elements' with a warning. Elements of
+/// higher order are taken by their corners, with a warning.
+///
+/// Groups: an element in several groups (formats 1 and 2: listed several times) has the first one, which a warning tells. An
+/// element in none has the number of the geometry's entity that it lies on, or the next free one where that number is a
+/// group's; a warning tells it. Elements of groups named marker_0 or region_0, which format_gmsh_data writes, have 0. The sign
+/// of a physical group, which tells a direction, is dropped.
+///
+/// Elements on the seams between parts of a partitioned mesh, which are no part of its geometry, are left out.
+///
+/// throws InputError with line or byte: no .msh file, another version; elements that are no lines, triangles, quadrilaterals,
+/// tetrahedra, hexahedra, prisms or pyramids; nodes that are missing, repeated or not finite; a file cut short
+[[nodiscard]] GmshData parse_gmsh_data(std::string_view bytes, const std::string& source);
 
-/// A file of format 2.2 or 4.1, text or binary of either byte order (https://gmsh.info/doc/texinfo/gmsh.html,
-/// "Gmsh file formats"). Elements of points and lines of higher order are left out, and sections of other data than
-/// nodes' and elements' with a warning.
-///
-/// Where no cell is in a physical group and there is no section $PhysicalNames, the numbers of the geometry's entities
-/// stand for the groups'; a warning tells it. The sign of a physical group, which tells a direction, is dropped.
-///
-/// throws InputError with line or byte: no .msh file, another version, partitioned; hexahedra, prisms and pyramids, if they are
-/// not taken, and cells of higher order; nodes that are missing, repeated or not finite; a file cut short
-[[nodiscard]] GmshData parse_gmsh_data(std::string_view bytes, const std::string& source,
-                                       GmshKinds kinds = GmshKinds::up_to_tetrahedra);
+/// The name of the group of cells that have no marker or region in the mesh: Gmsh drops elements without a group.
+[[nodiscard]] inline std::string gmsh_name_of_none(bool of_cells) {
+  return of_cells ? "region_0" : "marker_0";
+}
 
 }  // namespace leonhard::io

@@ -25,27 +25,28 @@ bool is_plain(std::string_view name) {
   return !name.empty() && trimmed(name) == name && std::none_of(name.begin(), name.end(), is_control);
 }
 
-void check_name(Marker marker, const std::string& name) {
+void check_name(Marker marker, const std::string& name, std::string_view word) {
   if (!is_plain(name))
     throw InputError(
-        "marker " + std::to_string(marker),
+        std::string(word) + " " + std::to_string(marker),
         "its name \"" + name + "\" is empty, holds a control character, or begins or ends with a blank",
         "choose a name that a text file can hold");
 }
 
 }  // namespace
 
-std::string format_marker_notes(const std::map<Marker, std::string>& names, char comment) {
+std::string format_marker_notes(const std::map<Marker, std::string>& names, char comment,
+                                std::string_view word) {
   std::string text;
   for (const auto& [marker, name] : names) {
-    check_name(marker, name);
-    text += std::string(1, comment) + " marker " + std::to_string(marker) + " " + name + "\n";
+    check_name(marker, name, word);
+    text +=
+        std::string(1, comment) + " " + std::string(word) + " " + std::to_string(marker) + " " + name + "\n";
   }
   return text;
 }
 
-std::map<Marker, std::string> read_marker_notes(std::string_view text, char comment) {
-  constexpr std::string_view word = "marker ";
+std::map<Marker, std::string> read_marker_notes(std::string_view text, char comment, std::string_view word) {
   std::map<Marker, std::string> names;
   while (!text.empty()) {
     const std::size_t newline = text.find('\n');
@@ -54,8 +55,8 @@ std::map<Marker, std::string> read_marker_notes(std::string_view text, char comm
     if (line.empty()) continue;
     if (line.front() != comment) break;
     line = trimmed(line.substr(1));
-    if (!line.starts_with(word)) continue;
-    line.remove_prefix(word.size());
+    if (!line.starts_with(word) || !line.substr(word.size()).starts_with(' ')) continue;
+    line.remove_prefix(word.size() + 1);
     Marker marker = 0;
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), marker);
     const std::string_view rest = line.substr(static_cast<std::size_t>(end - line.data()));

@@ -13,10 +13,14 @@ namespace leonhard::io {
 /// without a place for one of the two carry both.
 ///
 /// throws InputError if a name is empty, holds a control character, or begins or ends with a blank
-[[nodiscard]] std::string format_marker_notes(const std::map<Marker, std::string>& names, char comment);
+///
+/// word  what they are about: "marker", or "region"
+[[nodiscard]] std::string format_marker_notes(const std::map<Marker, std::string>& names, char comment,
+                                              std::string_view word = "marker");
 
 /// The notes among the comment lines before the first line of data; other comments are passed over. If a
 /// number or a name comes twice the notes are not ours and none is returned.
-[[nodiscard]] std::map<Marker, std::string> read_marker_notes(std::string_view text, char comment);
+[[nodiscard]] std::map<Marker, std::string> read_marker_notes(std::string_view text, char comment,
+                                                              std::string_view word = "marker");
 
 }  // namespace leonhard::io

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "leonhard/mesh/io/file_contents.hpp"
+#include "leonhard/mesh/mixed_mesh.hpp"
 
 namespace leonhard::io {
 
@@ -22,12 +23,13 @@ namespace leonhard::io {
 /// The same from text in memory; source names it in errors.
 [[nodiscard]] TetMeshFile parse_medit(std::string_view text, const std::string& source);
 
-/// Write a mesh so that read_medit gives it back, names of markers included (as leading comments "# marker 2 farfield").
+/// The text from which a mesh is read again: cells by kinds, names of markers and regions included (as leading comments
+/// "# marker 2 farfield"). Of the plane edges are the facets, triangles and quadrilaterals the cells.
 ///
-/// throws InputError if a region is no whole number of 32 bits, or if a marker's name cannot stand in a comment, OutputError
-void write_medit(const std::filesystem::path& path, const TetMesh& mesh);
-
-/// The text that write_medit writes.
+/// throws InputError if a region is no whole number of 32 bits, or if a name cannot stand in a comment
 [[nodiscard]] std::string format_medit(const TetMesh& mesh);
+[[nodiscard]] std::string format_medit(const TriangleMesh& mesh);
+[[nodiscard]] std::string format_medit(const MixedMesh<2>& mesh);
+[[nodiscard]] std::string format_medit(const MixedMesh<3>& mesh);
 
 }  // namespace leonhard::io

@@ -18,8 +18,7 @@ namespace {
 
 /// Sections that say nothing about which cells there are.
 const std::vector<std::string>& harmless_sections() {
-  static const std::vector<std::string> names{"Edges",
-                                              "Corners",
+  static const std::vector<std::string> names{"Corners",
                                               "Ridges",
                                               "RequiredVertices",
                                               "RequiredEdges",
@@ -33,7 +32,15 @@ const std::vector<std::string>& harmless_sections() {
                                               "SubDomainFromGeom",
                                               "VertexOnGeometricVertex",
                                               "VertexOnGeometricEdge",
+                                              "EdgeOnGeometricEdge",
+                                              "TriangleOnGeometricTriangle",
+                                              "CrackedEdges",
+                                              "EquivalencedEdges",
+                                              "PhysicsReference",
+                                              "IncludeFile",
+                                              "BoundingBox",
                                               "Geometry",
+                                              "Identifier",
                                               "AngleOfCornerBound",
                                               "RequiredQuadrilaterals",
                                               "RequiredTetrahedra",
@@ -41,15 +48,35 @@ const std::vector<std::string>& harmless_sections() {
   return names;
 }
 
-/// Cells that no tetrahedral mesh can have, as their sections are called.
-constexpr std::array<std::string_view, 9> foreign_cells{"Hexahedra",        "Prisms",       "Pentahedra",
-                                                        "Pyramids",         "TetrahedraP2", "TrianglesP2",
-                                                        "QuadrilateralsQ2", "HexahedraQ2",  "Polyhedra"};
+/// A section of cells: how many vertices an entry has, the corners first.
+struct MeditSection {
+  std::string_view keyword;
+  std::vector<MeditCell> MeditData::*list;
+  std::size_t corners, vertices;
+  const char* entry;
+};
+
+const std::array<MeditSection, 14> cell_sections{
+    {{"Edges", &MeditData::edges, 2, 2, "an edge"},
+     {"Triangles", &MeditData::triangles, 3, 3, "a triangle"},
+     {"Quadrilaterals", &MeditData::quadrilaterals, 4, 4, "a quadrilateral"},
+     {"Tetrahedra", &MeditData::tetrahedra, 4, 4, "a tetrahedron"},
+     {"Hexahedra", &MeditData::hexahedra, 8, 8, "a hexahedron"},
+     {"Prisms", &MeditData::prisms, 6, 6, "a prism"},
+     {"Pentahedra", &MeditData::prisms, 6, 6, "a prism"},
+     {"Pyramids", &MeditData::pyramids, 5, 5, "a pyramid"},
+     {"EdgesP2", &MeditData::edges, 2, 3, "an edge"},
+     {"TrianglesP2", &MeditData::triangles, 3, 6, "a triangle"},
+     {"QuadrilateralsQ2", &MeditData::quadrilaterals, 4, 9, "a quadrilateral"},
+     {"TetrahedraP2", &MeditData::tetrahedra, 4, 10, "a tetrahedron"},
+     {"HexahedraQ2", &MeditData::hexahedra, 8, 27, "a hexahedron"},
+     {"PrismsP2", &MeditData::prisms, 6, 18, "a prism"}}};
 
 class MeditParser {
  public:
   MeditParser(std::string_view text, const std::string& source) : scan_(text, source, {.comment = '#'}) {
     data_.marker_names = read_marker_notes(text, '#');
+    data_.region_names = read_marker_notes(text, '#', "region");
   }
 
   MeditData parse() {
@@ -65,6 +92,12 @@ class MeditParser {
       if (!sections_.contains(section))
         scan_.fail(std::string("the file ends without a section ") + section,
                    "it was cut short, or is no mesh of Medit");
+    if (of_higher_order_ > 0)
+      data_.warnings.push_back(std::to_string(of_higher_order_) +
+                               " cells are of higher order; they were read by their corners");
+    if (data_.dimension == 3 && !data_.edges.empty())
+      data_.warnings.push_back("the section Edges (" + std::to_string(data_.edges.size()) +
+                               " entries) was passed over");
     return std::move(data_);
   }
 
@@ -74,9 +107,8 @@ class MeditParser {
     if (keyword == "MeshVersionFormatted") return read_version(), true;
     if (keyword == "Dimension") return read_dimension(), true;
     if (keyword == "Vertices") return read_vertices(), true;
-    if (keyword == "Triangles") return read_cells(data_.triangles, 3, "a triangle"), true;
-    if (keyword == "Quadrilaterals") return read_cells(data_.quadrilaterals, 4, "a quadrilateral"), true;
-    if (keyword == "Tetrahedra") return read_cells(data_.tetrahedra, 4, "a tetrahedron"), true;
+    for (const MeditSection& section : cell_sections)
+      if (keyword == section.keyword) return read_cells(section), true;
     return false;
   }
 
@@ -93,9 +125,10 @@ class MeditParser {
   void read_dimension() {
     scan_.need_word("the dimension");
     const std::int64_t dimension = scan_.integer("the dimension");
-    if (dimension != 3)
-      scan_.fail("Dimension " + std::to_string(dimension) + ": only meshes of space can be read here",
-                 "give a mesh with Dimension 3");
+    if (dimension != 2 && dimension != 3)
+      scan_.fail("Dimension " + std::to_string(dimension), "2 and 3 can be read");
+    if (sections_.contains("Vertices")) scan_.fail("Dimension comes after Vertices", "put it first");
+    data_.dimension = static_cast<int>(dimension);
   }
 
   std::size_t read_count(std::size_t bytes_each) {
@@ -114,12 +147,12 @@ class MeditParser {
   }
 
   void read_vertices() {
-    const std::size_t count = read_count(8);
+    const std::size_t count = read_count(6);
     data_.points.reserve(count);
     data_.references.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       const double x = coordinate(), y = coordinate();
-      data_.points.push_back({x, y, coordinate()});
+      data_.points.push_back({x, y, data_.dimension == 3 ? coordinate() : 0.0});
       data_.references.push_back(reference());
     }
   }
@@ -132,31 +165,33 @@ class MeditParser {
     return VertexId::from(static_cast<std::size_t>(number - 1));
   }
 
-  void read_cells(std::vector<MeditCell>& cells, std::size_t corners, const char* name) {
-    const std::size_t count = read_count(2 * corners + 2);
-    cells.reserve(count);
+  void read_cells(const MeditSection& section) {
+    const std::size_t count = read_count(2 * section.vertices + 2);
+    std::vector<MeditCell>& cells = data_.*section.list;
+    cells.reserve(cells.size() + count);
     for (std::size_t i = 0; i < count; ++i) {
       MeditCell cell;
-      for (std::size_t k = 0; k < corners; ++k) {
-        cell.corners[k] = corner(name);
+      for (std::size_t k = 0; k < section.vertices; ++k) {
+        const VertexId v = corner(section.entry);
+        if (k < section.corners) cell.corners[k] = v;
         if (k == 0) cell.line = static_cast<std::uint32_t>(scan_.line());
       }
       cell.reference = reference();
       cells.push_back(cell);
     }
+    if (section.vertices > section.corners) of_higher_order_ += count;
   }
 
   /// Lines up to the next one that begins with a letter; returns whether there is one.
   bool pass_over(const std::string& keyword) {
     const auto& harmless = harmless_sections();
-    const bool is_harmless = std::find(harmless.begin(), harmless.end(), keyword) != harmless.end();
-    if (!is_harmless && std::find(foreign_cells.begin(), foreign_cells.end(), keyword) == foreign_cells.end())
+    if (std::find(harmless.begin(), harmless.end(), keyword) == harmless.end())
       scan_.fail("the keyword " + in_quotes(keyword) + " is not known", suggestion(keyword));
     const std::string where = scan_.where();
-    const std::size_t count = read_count(1);
-    if (count > 0 && !is_harmless)
-      scan_.fail("the file has " + std::to_string(count) + " " + keyword,
-                 "only tetrahedra of four vertices, triangles and quadrilaterals can be read");
+    if (scan_.line_done() && !scan_.next_line()) return false;
+    const bool is_text = scan_.rest().front() == '"';
+    const std::int64_t count =
+        is_text || keyword == "AngleOfCornerBound" ? 0 : scan_.integer("the number of entries");
     if (count > 0)
       data_.warnings.push_back(where + ": the section " + keyword + " (" + std::to_string(count) +
                                " entries) was passed over");
@@ -166,8 +201,8 @@ class MeditParser {
   }
 
   static std::string suggestion(const std::string& keyword) {
-    std::vector<std::string> known{"MeshVersionFormatted", "Dimension",  "Vertices", "Triangles",
-                                   "Quadrilaterals",       "Tetrahedra", "End"};
+    std::vector<std::string> known{"MeshVersionFormatted", "Dimension", "Vertices", "End"};
+    for (const MeditSection& section : cell_sections) known.emplace_back(section.keyword);
     known.insert(known.end(), harmless_sections().begin(), harmless_sections().end());
     return did_you_mean(keyword, known);
   }
@@ -175,6 +210,7 @@ class MeditParser {
   TextScanner scan_;
   MeditData data_;
   std::set<std::string> sections_;
+  std::size_t of_higher_order_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <charconv>
+#include <utility>
 
 #include "leonhard/mesh/io/formats/surface_formats.hpp"
 #include "leonhard/mesh/io/soup/surface_builder.hpp"
@@ -35,10 +36,30 @@ std::int64_t read_corner(TextScanner& scan, std::size_t vertices_so_far) {
   return counted;
 }
 
+/// A line that ends with a backslash goes on on the next; lines keep their numbers.
+std::string with_continued_lines(std::string_view text) {
+  std::string joined(text);
+  std::size_t breaks = 0;
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    const bool carriage =
+        joined[i] == '\\' && i + 2 < joined.size() && joined[i + 1] == '\r' && joined[i + 2] == '\n';
+    if (carriage || (joined[i] == '\\' && i + 1 < joined.size() && joined[i + 1] == '\n')) {
+      joined[i] = joined[i + 1] = ' ';
+      if (carriage) joined[i + 2] = ' ';
+      ++breaks;
+    } else if (joined[i] == '\n' && breaks > 0) {
+      joined.insert(i, breaks, '\n');
+      i += std::exchange(breaks, 0);
+    }
+  }
+  return joined;
+}
+
 }  // namespace
 
 SurfaceFile parse_obj(std::string_view text, const std::string& source) {
-  TextScanner scan(text, source, {.comment = '#'});
+  const std::string joined = with_continued_lines(text);
+  TextScanner scan(joined, source, {.comment = '#'});
   SurfaceBuilder surface(source, 1);
   while (scan.next_line()) {
     const std::string_view keyword = scan.word("a keyword");

@@ -10,7 +10,7 @@
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/io/formats/neutral_map.hpp"
-#include "leonhard/mesh/io/soup/mixed_soup.hpp"
+#include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/words.hpp"
 
@@ -272,10 +272,10 @@ void mark_by_side(const Plot3dGrid& grid, const std::vector<VertexId>& vertex_of
 
 }  // namespace
 
-MixedMeshFile<2> parse_plot3d(std::string_view text, const std::string& source, std::string_view map_text,
-                              const std::string& map_source) {
+MeshSoup<2> plot3d_soup(std::string_view text, const std::string& source, std::string_view map_text,
+                        const std::string& map_source) {
   const Plot3dGrid grid = read_grid(text, source);
-  MixedSoup<2> soup;
+  MeshSoup<2> soup;
   soup.source = source;
   mesh::DisjointSets same(grid.points.size());
   NeutralMap map;
@@ -294,13 +294,22 @@ MixedMeshFile<2> parse_plot3d(std::string_view text, const std::string& source, 
   } else {
     mark_by_map(grid, vertex_of, map, soup.mesh);
   }
-  return assemble(std::move(soup), FacetRule::facets_are_the_boundary);
+  return soup;
+}
+
+MixedMeshFile<2> parse_plot3d(std::string_view text, const std::string& source, std::string_view map_text,
+                              const std::string& map_source) {
+  return assemble_mixed(plot3d_soup(text, source, map_text, map_source));
+}
+
+MeshSoup<2> read_plot3d_soup(const std::filesystem::path& path) {
+  const std::filesystem::path map = std::filesystem::path(path).replace_extension(".nmf");
+  if (!std::filesystem::exists(map)) return plot3d_soup(read_whole_file(path), path.string(), {}, {});
+  return plot3d_soup(read_whole_file(path), path.string(), read_whole_file(map), map.string());
 }
 
 MixedMeshFile<2> read_plot3d(const std::filesystem::path& path) {
-  const std::filesystem::path map = std::filesystem::path(path).replace_extension(".nmf");
-  if (!std::filesystem::exists(map)) return parse_plot3d(read_whole_file(path), path.string());
-  return parse_plot3d(read_whole_file(path), path.string(), read_whole_file(map), map.string());
+  return assemble_mixed(read_plot3d_soup(path));
 }
 
 }  // namespace leonhard::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "leonhard/mesh/io/mixed_mesh_file.hpp"
+#include "leonhard/mesh/io/soup/mesh_soup.hpp"
 
 namespace leonhard::io {
 
@@ -24,8 +24,7 @@ namespace leonhard::io {
 /// Points are numbered as in the file, those that are joined to earlier ones left out.
 ///
 /// throws  InputError naming file and line, block and point: counts that the file cannot hold, what is no number, text behind
-///         the last one; joined points farther apart than the edges at them; parts of the boundary that the map does
-///         not name; and as read_mixed_mesh
+///         the last one; joined points farther apart than the edges at them; and as read_mixed_mesh
 /// Cost O(file size + cells log cells).
 [[nodiscard]] MixedMeshFile<2> read_plot3d(const std::filesystem::path& path);
 
@@ -35,5 +34,8 @@ namespace leonhard::io {
 [[nodiscard]] MixedMeshFile<2> parse_plot3d(std::string_view text, const std::string& source,
                                             std::string_view map_text = {},
                                             const std::string& map_source = {});
+
+/// What such a file states, with the map beside it if there is one.
+[[nodiscard]] MeshSoup<2> read_plot3d_soup(const std::filesystem::path& path);
 
 }  // namespace leonhard::io

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "leonhard/mesh/io/atomic_file.hpp"
+#include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/triangle_tables.hpp"
 #include "leonhard/mesh/io/soup/mesh_soup.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
@@ -56,37 +57,39 @@ void read_cells(TextScanner& scan, const VertexTable<typename Simplex<Dim>::Poin
   const std::size_t count = scan.count(number_of_cells.c_str(), shortest_entry + 2 * (Dim - 1));
   const std::int64_t nodes =
       scan.line_done() ? Dim + 1 : scan.integer(("the number of nodes per " + cell).c_str());
-  if (Dim == 3 && nodes == 3) scan.fail("the cells have 3 nodes: this is a mesh of the plane");
-  if (nodes != Dim + 1)
-    scan.fail(
-        cells + " have " + std::to_string(nodes) + " nodes, only " + std::to_string(Dim + 1) + " can be read",
-        std::string("write the mesh without mid-edge nodes (") + (Dim == 2 ? "Triangle" : "TetGen") +
-            ": without -o2)");
+  if (Dim == 3 && (nodes == 3 || nodes == 6))
+    scan.fail("the cells have 3 corners: this is a mesh of the plane");
+  constexpr std::int64_t nodes_of_second_order = Dim == 2 ? 6 : 10;  // corners first
+  if (nodes != Dim + 1 && nodes != nodes_of_second_order)
+    scan.fail(cells + " have " + std::to_string(nodes) + " nodes",
+              "they can have " + std::to_string(Dim + 1) + " or " + std::to_string(nodes_of_second_order));
   const std::size_t attributes = scan.line_done() ? 0 : scan.count("the number of attributes", 1);
   scan.expect_line_end(("the header of the " + cells).c_str());
-  soup.cells.reserve(count);
+  soup.mesh.kinds.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     scan.need_line(a_cell.c_str());
     check_number(scan, cell.c_str(), vertices.first_number + static_cast<std::int64_t>(i));
-    SoupCell read{{}, Dim + 1, static_cast<std::uint32_t>(scan.line())};
     const auto corners = read_corners<Dim + 1>(scan, vertices, a_corner.c_str());
-    std::copy(corners.begin(), corners.end(), read.corners.begin());
-    soup.cells.push_back(read);
+    for (std::int64_t k = Dim + 1; k < nodes; ++k) (void)vertices.read_reference(scan, "a node of a cell");
+    const CellId id = soup.add_cell(simplex_kind<Dim>, corners, scan.line());
     if (attributes > 0) {
-      soup.cell_regions.push_back(scan.number(an_attribute.c_str()));
+      soup.mesh.regions[id] = scan.number(an_attribute.c_str());
       skip_attributes(scan, attributes - 1);
     }
     scan.expect_line_end(("the " + cell).c_str());
   }
+  if (nodes > Dim + 1)
+    soup.warnings.push_back(std::to_string(count) +
+                            " cells are of second order; they were read by their corners");
   expect_end(scan, ("the last " + cell).c_str());
 }
 
-/// The mesh of a .node and an .ele text.
+/// What a .node and an .ele text state.
 ///
 /// read_facets  called with the vertices and the soup, to add the marked facets and names of other files
 template <int Dim, class ReadFacets>
-[[nodiscard]] SimplexMeshFile<Dim> parse_stem(const std::string& node, const std::string& ele,
-                                              const std::string& stem, ReadFacets read_facets) {
+[[nodiscard]] MeshSoup<Dim> parse_stem(const std::string& node, const std::string& ele,
+                                       const std::string& stem, ReadFacets read_facets) {
   TextScanner node_scan(node, stem + ".node", triangle_syntax);
   auto vertices = read_vertices<typename Simplex<Dim>::Point>(node_scan);
   expect_end(node_scan, "the last vertex");
@@ -96,9 +99,10 @@ template <int Dim, class ReadFacets>
   TextScanner ele_scan(ele, soup.source, triangle_syntax);
   read_cells(ele_scan, vertices, soup);
   read_facets(vertices, soup);
-  soup.points = PerId<VertexId, typename Simplex<Dim>::Point>(std::move(vertices.points));
-  soup.vertex_markers = std::move(vertices.markers);
-  return assemble(std::move(soup), FacetRule::fill_in_the_boundary);
+  soup.mesh.region_names = read_marker_notes(ele, triangle_syntax.comment, "region");
+  soup.mesh.points = PerId<VertexId, typename Simplex<Dim>::Point>(std::move(vertices.points));
+  soup.mesh.vertex_markers = PerId<VertexId, Marker>(std::move(vertices.markers));
+  return soup;
 }
 
 /// Their count and a line each, numbered from 0: the boundary and the inner facets with their markers.

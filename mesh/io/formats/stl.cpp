@@ -26,7 +26,9 @@ std::uint64_t binary_count(std::string_view bytes) {
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= count_end && count_end + triangle_bytes * binary_count(bytes) == bytes.size())
     return true;
-  return !bytes.starts_with("solid") && !bytes.starts_with("SOLID");
+  const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  const std::string_view text = bytes.substr(first);
+  return !text.starts_with("solid") && !text.starts_with("SOLID") && !text.starts_with("Solid");
 }
 
 /// Three points a triangle.
@@ -35,6 +37,11 @@ std::vector<Point3> binary_corners(std::string_view bytes, const std::string& so
     throw InputError(source, "is neither a text that begins with solid nor long enough for a binary STL file",
                      "was it written completely?");
   const std::uint64_t count = binary_count(bytes);
+  const bool looks_like_text =
+      std::all_of(bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(std::ssize(bytes), 512),
+                  [](char c) { return c == '\t' || c == '\n' || c == '\r' || (c >= ' ' && c < '\x7f'); });
+  if (count_end + triangle_bytes * count != bytes.size() && looks_like_text)
+    throw InputError(source, "is a text that does not begin with solid", "give an STL file");
   if (count_end + triangle_bytes * count != bytes.size())
     throw InputError(source,
                      "declares " + std::to_string(count) + " triangles, which take " +
@@ -65,7 +72,7 @@ class StlText {
     do {
       expect("solid");  // its name follows, to the end of the line
       scan_.need_line("facet or endsolid");
-      while (!at("endsolid")) read_facet();
+      while (!at("endsolid") && !at("end")) read_facet();
     } while (scan_.next_line());
     return std::move(corners_);
   }
@@ -100,8 +107,8 @@ class StlText {
     }
     expect("endloop");
     expect("endfacet");
-    scan_.expect_line_end("endfacet");
-    scan_.need_line("facet or endsolid");
+    scan_.need_line(
+        "facet or endsolid");  // what else stands on the line, such as a colour, says nothing here
   }
 
   TextScanner scan_;

@@ -1,157 +1,106 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/io/formats/su2.hpp"
 
-#include <utility>
+#include <set>
 
 #include "leonhard/mesh/io/atomic_file.hpp"
+#include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/su2_parser.hpp"
-#include "leonhard/mesh/io/formats/su2_writer.hpp"
+#include "leonhard/mesh/io/formats/triangle_tables.hpp"
 #include "leonhard/mesh/io/formats/vtk_types.hpp"
-#include "leonhard/mesh/io/soup/mesh_soup.hpp"
-#include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
-
 namespace {
 
-constexpr std::int64_t line_type = vtk_line, triangle_type = vtk_triangle,
-                       quadrilateral_type = vtk_quadrilateral, tetrahedron_type = vtk_tetrahedron;
+template <class Corners>
+void append_su2_element(std::string& text, std::int64_t type, const Corners& vertices) {
+  append_words(text, {type});
+  for (const VertexId v : vertices) append_words(text, {static_cast<std::int64_t>(v.index())});
+}
 
-// ---- reading ----
-
-/// What files of both dimensions have in common.
-template <int Dim>
-class MeshParser : Su2Parser {
- public:
-  SimplexMeshFile<Dim> parse() {
-    read_sections();
-    soup_.marker_names = std::move(names());
-    SimplexMeshFile<Dim> result = assemble(std::move(soup_), FacetRule::facets_are_the_boundary);
-    result.warnings.insert(result.warnings.begin(), warnings().begin(), warnings().end());
-    return result;
-  }
-
- protected:
-  MeshParser(std::string_view text, const std::string& source) : Su2Parser(text, source, Dim) {
-    soup_.source = source;
-  }
-  ~MeshParser() = default;
-
-  using Su2Parser::scan;
-
-  void add_cell(std::uint32_t corner_count) {
-    SoupCell cell{{}, corner_count, static_cast<std::uint32_t>(scan().line())};
-    for (std::uint32_t i = 0; i < corner_count; ++i) cell.corners[i] = read_vertex("a vertex of the cell");
-    soup_.cells.push_back(cell);
-  }
-  void add_facet(const char* a_vertex, Marker marker) {
-    SoupFacet<Dim> facet{{}, marker, static_cast<std::uint32_t>(scan().line())};
-    for (VertexId& v : facet.corners) v = read_vertex(a_vertex);
-    soup_.facets.push_back(facet);
-  }
-
- private:
-  void read_coordinates() override { soup_.points.push_back(read_point<typename Simplex<Dim>::Point>()); }
-  void reserve(std::size_t cells, std::size_t points) override {
-    soup_.cells.reserve(cells);
-    soup_.points.reserve(points);
-  }
-  void renumber(const std::vector<Marker>& number_of_tag) override {
-    for (SoupFacet<Dim>& facet : soup_.facets)
-      facet.marker = number_of_tag[static_cast<std::size_t>(facet.marker) - 1];
-  }
-
-  MeshSoup<Dim> soup_;
-};
-
-class TriangleParser final : public MeshParser<2> {
- public:
-  TriangleParser(std::string_view text, const std::string& source) : MeshParser(text, source) {}
-
- private:
-  void read_cell(std::size_t index) override {
-    const std::int64_t type = scan().integer("the type of a cell (5 triangle, 9 quadrilateral)");
-    if (type != triangle_type && type != quadrilateral_type)
-      scan().fail("cell " + std::to_string(index) + " has the type " + std::to_string(type) +
-                      ", which is no cell of the plane",
-                  "use 5 (triangle) or 9 (quadrilateral)");
-    add_cell(type == triangle_type ? 3 : 4);
-  }
-
-  void read_boundary_element(const std::string& tag, Marker marker) override {
-    const std::int64_t type = scan().integer("the type of a boundary edge (3 line)");
-    if (type != line_type)
-      scan().fail("the marker " + in_quotes(tag) + " has an element of type " + std::to_string(type) +
-                      ", but a boundary of the plane is made of lines",
-                  type == 1 ? su2_partitioned : "use 3 (line)");
-    add_facet("a vertex of the boundary edge", marker);
-  }
-};
-
-class TetParser final : public MeshParser<3> {
- public:
-  TetParser(std::string_view text, const std::string& source) : MeshParser(text, source) {}
-
- private:
-  void read_cell(std::size_t index) override {
-    const std::int64_t type = scan().integer("the type of a cell (10 tetrahedron)");
-    if (type != tetrahedron_type)
-      scan().fail("cell " + std::to_string(index) + " has the type " + std::to_string(type) + name_of(type),
-                  "only tetrahedra (10) can be read");
-    add_cell(4);
-  }
-
-  static const char* name_of(std::int64_t type) {
-    return type == 12 ? " (hexahedron)" : type == 13 ? " (prism)" : type == 14 ? " (pyramid)" : "";
-  }
-
-  void read_boundary_element(const std::string& tag, Marker marker) override {
-    const std::int64_t type = scan().integer("the type of a boundary face (5 triangle)");
-    if (type != triangle_type)
-      scan().fail("the marker " + in_quotes(tag) + " has an element of type " + std::to_string(type) +
-                      ", but the boundary of tetrahedra is made of triangles",
-                  type == 1 ? su2_partitioned : "use 5 (triangle)");
-    add_facet("a vertex of the boundary face", marker);
-  }
-};
-
-// ---- writing ----
+std::int64_t vtk_type_of_facet(const MixedFacet<2>&) { return vtk_line; }
+std::int64_t vtk_type_of_facet(const MixedFacet<3>& face) {
+  return face.size() == 3 ? vtk_triangle : vtk_quadrilateral;
+}
 
 template <int Dim>
-std::string format(const SimplexMesh<Dim>& mesh) {
-  return su2_text<Dim>(
-      mesh, mesh.corners.ids(),
-      [&](std::string& text, auto cell) {
-        append_su2_element(text, Dim == 2 ? triangle_type : tetrahedron_type, mesh.corners[cell]);
-      },
-      [](std::string& text, const auto& facet) {
-        append_su2_element(text, Dim == 2 ? line_type : triangle_type, Simplex<Dim>::corners_of(facet));
-      });
+void append_su2_cells(std::string& text, const SimplexMesh<Dim>& mesh) {
+  for (const auto cell : mesh.corners.ids()) {
+    append_su2_element(text, vtk_type_of(simplex_kind<Dim>), mesh.corners[cell]);
+    append_words(text, {static_cast<std::int64_t>(cell.index())});
+    end_line(text);
+  }
+}
+template <int Dim>
+void append_su2_cells(std::string& text, const MixedMesh<Dim>& mesh) {
+  for (const CellId cell : mesh.kinds.ids()) {
+    append_su2_element(text, vtk_type_of(mesh.kinds[cell]), mesh.corners_of(cell));
+    append_words(text, {static_cast<std::int64_t>(cell.index())});
+    end_line(text);
+  }
+}
+
+void append_su2_facet(std::string& text, const MarkedEdge& edge) {
+  append_su2_element(text, vtk_line, Simplex<2>::corners_of(edge));
+}
+void append_su2_facet(std::string& text, const MarkedFace& face) {
+  append_su2_element(text, vtk_triangle, face.corners);
+}
+template <int Dim>
+void append_su2_facet(std::string& text, const MarkedMixedFacet<Dim>& facet) {
+  append_su2_element(text, vtk_type_of_facet(facet.corners), facet.corners);
+}
+
+template <class Mesh>
+void append_su2_markers(std::string& text, const Mesh& mesh, const std::map<Marker, std::string>& tags) {
+  std::map<Marker, std::vector<std::size_t>> elements_of;  // indices in mesh.boundary
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) elements_of[mesh.boundary[i].marker].push_back(i);
+  text += "NMARK= " + std::to_string(elements_of.size()) + "\n";
+  for (const auto& [marker, elements] : elements_of) {
+    text += "MARKER_TAG= " + tags.at(marker) + "\nMARKER_ELEMS= " + std::to_string(elements.size()) + "\n";
+    for (const std::size_t i : elements) {
+      append_su2_facet(text, mesh.boundary[i]);
+      end_line(text);
+    }
+  }
+}
+
+template <int Dim, class Mesh>
+std::string su2_text(const Mesh& mesh) {
+  std::set<Marker> used;
+  for (const auto& facet : mesh.boundary) used.insert(facet.marker);
+  const std::map<Marker, std::string> tags = su2_tags(mesh.marker_names, used);
+  std::string text = format_marker_notes(tags, '%');
+  text.reserve(text.size() + 64 * mesh.vertex_count() + 40 * mesh.cell_count());
+  text += "NDIME= " + std::to_string(Dim) + "\nNELEM= " + std::to_string(mesh.cell_count()) + "\n";
+  append_su2_cells(text, mesh);
+  text += "NPOIN= " + std::to_string(mesh.vertex_count()) + "\n";
+  for (const VertexId v : mesh.points.ids()) {
+    append_point(text, mesh.points[v]);
+    append_words(text, {static_cast<std::int64_t>(v.index())});
+    end_line(text);
+  }
+  append_su2_markers(text, mesh, tags);
+  return text;
 }
 
 }  // namespace
 
-MeshFile parse_su2(std::string_view text, const std::string& source) {
-  return TriangleParser(text, source).parse();
-}
-TetMeshFile parse_tet_su2(std::string_view text, const std::string& source) {
-  return TetParser(text, source).parse();
-}
-
-MeshFile read_su2(const std::filesystem::path& path) {
-  return parse_su2(read_whole_file(path), path.string());
-}
-TetMeshFile read_tet_su2(const std::filesystem::path& path) {
-  return parse_tet_su2(read_whole_file(path), path.string());
-}
-
-std::string format_su2(const TriangleMesh& mesh) { return format(mesh); }
-std::string format_su2(const TetMesh& mesh) { return format(mesh); }
+std::string format_su2(const TriangleMesh& mesh) { return su2_text<2>(mesh); }
+std::string format_su2(const TetMesh& mesh) { return su2_text<3>(mesh); }
+std::string format_su2(const MixedMesh<2>& mesh) { return su2_text<2>(mesh); }
+std::string format_su2(const MixedMesh<3>& mesh) { return su2_text<3>(mesh); }
 
 void write_su2(const std::filesystem::path& path, const TriangleMesh& mesh) {
   write_file_atomically(path, format_su2(mesh));
 }
 void write_su2(const std::filesystem::path& path, const TetMesh& mesh) {
+  write_file_atomically(path, format_su2(mesh));
+}
+void write_su2(const std::filesystem::path& path, const MixedMesh<2>& mesh) {
+  write_file_atomically(path, format_su2(mesh));
+}
+void write_su2(const std::filesystem::path& path, const MixedMesh<3>& mesh) {
   write_file_atomically(path, format_su2(mesh));
 }
 

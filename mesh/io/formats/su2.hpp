@@ -16,12 +16,11 @@ namespace leonhard::io {
 ///
 /// Ids are the file's 0-based ones. Markers get the numbers 1, 2, ... in the file's order (or those that
 /// write_su2 noted in a leading comment). A quadrilateral is split along its Delaunay diagonal, so triangle
-/// ids then differ from cell numbers; triangles that are all clockwise, and likewise quadrilaterals, are
-/// turned over; both are told in the warnings.
+/// ids then differ from cell numbers. Points may have a constant third coordinate; markers SEND_RECEIVE and elements of
+/// single vertices are passed over. All else that is mended see mesh_soup.hpp; the warnings tell it.
 ///
-/// throws InputError: 3-D file, unknown cell type, id out of range, zero-area, inverted or overlapping cells,
-/// boundary edges without marker (a missing cell), marked edges that are not on the boundary, two markers of
-/// one name, NaN, file cut short
+/// throws InputError: 3-D file, several zones, unknown cell type, id out of range, zero-area or overlapping cells,
+/// marked edges that are no sides of cells, two markers of one name, NaN, file cut short
 /// Cost O(file size + cells log cells).
 [[nodiscard]] MeshFile read_su2(const std::filesystem::path& path);
 
@@ -41,8 +40,7 @@ void write_su2(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 /// The same for tetrahedral meshes: NDIME= 3, cells of type 10, markers with elements of type 5 (triangle).
 ///
-/// throws InputError: as read_su2; cells other than tetrahedra (hexahedra, prisms and pyramids by name), boundary faces
-/// without a marker, and as read_tet_mesh
+/// throws InputError: as read_su2; cells other than tetrahedra, and as read_tet_mesh
 [[nodiscard]] TetMeshFile read_tet_su2(const std::filesystem::path& path);
 [[nodiscard]] TetMeshFile parse_tet_su2(std::string_view text, const std::string& source);
 
@@ -52,8 +50,7 @@ void write_su2(const std::filesystem::path& path, const TetMesh& mesh);
 
 /// The same for meshes of mixed cells, quadrilaterals left whole: cells of type 5 (triangle) and 9 (quadrilateral), markers of
 /// type 3 (line) in the plane; cells of type 10 (tetrahedron), 12 (hexahedron), 13 (prism) and 14 (pyramid), markers of
-/// type 5 and 9 in space. Ids are the file's. Corners come in the order of CellKind; where all cells of a kind are turned
-/// over they are turned back, which the warnings tell.
+/// type 5 and 9 in space. Ids are the file's. Corners come in the order of CellKind.
 ///
 /// throws  InputError as read_su2 and read_mixed_mesh do
 template <int Dim>

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -26,8 +27,19 @@ namespace leonhard::io {
 [[nodiscard]] std::map<Marker, std::string> su2_tags(const std::map<Marker, std::string>& names,
                                                      const std::set<Marker>& used);
 
-/// What to do about an element of a single vertex.
-inline constexpr const char* su2_partitioned = "this is one part of a partitioned mesh; give the whole";
+/// One zone of a file.
+struct Su2Zone {
+  std::string_view text;
+  std::size_t lines_before = 0;  ///< of the file
+};
+
+/// The zone that is asked for, or the only one.
+/// throws  InputError if there is no such zone; listing them, if there are several and none is asked for
+[[nodiscard]] Su2Zone find_su2_zone(std::string_view text, const std::string& source,
+                                    std::optional<std::size_t> zone);
+
+/// What NDIME= says. throws  InputError if it is missing or neither 2 nor 3
+[[nodiscard]] int su2_dimension(const Su2Zone& zone, const std::string& source);
 
 /// Reads the sections of an SU2 file in any order; what cells, points and boundary elements look like is up to the
 /// dimension.
@@ -37,8 +49,10 @@ class Su2Parser {
   Su2Parser& operator=(const Su2Parser&) = delete;
 
  protected:
-  /// dimension  2 or 3, which the file must have
-  Su2Parser(std::string_view text, const std::string& source, int dimension);
+  /// text       of the file, where notes on markers are
+  /// zone       of it, which is read
+  /// dimension  2 or 3, which the zone must have
+  Su2Parser(std::string_view text, const Su2Zone& zone, const std::string& source, int dimension);
   ~Su2Parser() = default;
 
   /// All sections; then the markers have their numbers, and names() and warnings() are complete.
@@ -65,7 +79,7 @@ class Su2Parser {
   /// A cell after its number in the file; the scanner stands on its type.
   virtual void read_cell(std::size_t index) = 0;
   virtual void read_coordinates() = 0;
-  /// An element of the boundary; the scanner stands on its type.
+  /// An element of the boundary other than a vertex; the scanner stands on its type.
   virtual void read_boundary_element(const std::string& tag, Marker marker) = 0;
   virtual void reserve(std::size_t cells, std::size_t points) = 0;
   /// Replace every marker m by number_of_tag[m - 1].
@@ -73,14 +87,15 @@ class Su2Parser {
 
   void read_section(const std::string& keyword);
   void read_dimension();
-  void read_zone_count();
   void need_entry(const char* entry, std::size_t index, std::size_t count);
   void compare_number(const char* entry, std::size_t index, std::int64_t number);
   void read_point_numbers(std::size_t index);
+  void check_height(double z, std::size_t index);
   void read_cells();
   void read_points();
   void read_marker_count();
   void read_marker();
+  void pass_over_halo();
   std::string read_tag();
   void check_complete() const;
   void number_markers();
@@ -90,9 +105,10 @@ class Su2Parser {
   std::map<Marker, std::string> notes_;
   std::set<std::string> sections_;
   std::vector<std::string> tags_;
-  std::size_t marker_count_ = 0;
-  bool skipping_ = false;       ///< inside a section that is not known
-  bool number_warned_ = false;  ///< one warning about entry numbers is enough
+  std::size_t marker_count_ = 0, halo_markers_ = 0;
+  std::optional<double> height_;  ///< the third coordinate of points of the plane
+  bool skipping_ = false;         ///< inside a section that is not known
+  bool number_warned_ = false;    ///< one warning about entry numbers is enough
   std::vector<std::string> warnings_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/stem_files.hpp"
+#include "leonhard/mesh/io/formats/stem_soups.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
@@ -15,42 +16,50 @@ void read_faces(TextScanner& scan, const VertexTable<Point3>& vertices, MeshSoup
   const std::size_t count = scan.count("the number of faces", shortest_entry + 2);
   const bool with_markers = read_flag(scan, "the number of boundary markers");
   scan.expect_line_end("the header of the faces");
-  soup.facets.reserve(count);
+  soup.mesh.boundary.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     scan.need_line("a face");
     check_number(scan, "face", vertices.first_number + static_cast<std::int64_t>(i));
-    SoupFacet<3> face;  // its line stays 0: errors of assemble name the .ele file
-    face.corners = read_corners<3>(scan, vertices, "a corner of a face");
-    if (with_markers) face.marker = scan.integer32("the boundary marker of a face");
+    const auto corners = read_corners<3>(scan, vertices, "a corner of a face");
+    const Marker marker = with_markers ? scan.integer32("the boundary marker of a face") : 0;
     while (!scan.line_done()) scan.integer("a tetrahedron beside the face");
-    soup.facets.push_back(face);
+    soup.add_facet(corners, marker, 0);  // no line: errors of assemble name the .ele file
   }
   expect_end(scan, "the last face");
 }
 
 }  // namespace
 
-TetMeshFile parse_tetgen_files(const TetgenFileTexts& texts, const std::string& source) {
+MeshSoup<3> tetgen_soup(const TetgenFileTexts& texts, const std::string& source) {
   return parse_stem<3>(texts.node, texts.ele, source, [&](const auto& vertices, auto& soup) {
     if (!texts.face) return;
-    soup.marker_names = read_marker_notes(*texts.face, triangle_syntax.comment);
+    soup.mesh.marker_names = read_marker_notes(*texts.face, triangle_syntax.comment);
     TextScanner face_scan(*texts.face, source + ".face", triangle_syntax);
     read_faces(face_scan, vertices, soup);
   });
 }
 
-TetMeshFile read_tetgen_files(const std::filesystem::path& path) {
+TetMeshFile parse_tetgen_files(const TetgenFileTexts& texts, const std::string& source) {
+  return assemble_simplices(tetgen_soup(texts, source));
+}
+
+MeshSoup<3> read_tetgen_soup(const std::filesystem::path& path) {
   TetgenFileTexts texts;
   texts.node = read_whole_file(sibling(path, ".node"));
   texts.ele = read_whole_file(sibling(path, ".ele"));
   texts.face = text_if_there(sibling(path, ".face"));
-  return parse_tetgen_files(texts, sibling(path, "").string());
+  return tetgen_soup(texts, sibling(path, "").string());
+}
+
+TetMeshFile read_tetgen_files(const std::filesystem::path& path) {
+  return assemble_simplices(read_tetgen_soup(path));
 }
 
 TetgenFileTexts format_tetgen_files(const TetMesh& mesh) {
   TetgenFileTexts texts;
   append_vertices(texts.node, mesh.points.flat(), {}, mesh.vertex_markers.flat());
-  texts.ele = format_ele(mesh.corners, mesh.regions);
+  texts.ele = format_marker_notes(mesh.region_names, triangle_syntax.comment, "region") +
+              format_ele(mesh.corners, mesh.regions);
   texts.face = format_marker_notes(mesh.marker_names, triangle_syntax.comment);
   append_facets(*texts.face, mesh);
   texts.neigh = format_neigh(mesh.neighbours);

@@ -6,6 +6,7 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/stem_files.hpp"
+#include "leonhard/mesh/io/formats/stem_soups.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
@@ -17,7 +18,10 @@ constexpr TextSyntax syntax = triangle_syntax;
 // ---- reading ----
 
 /// Segments of a .poly file or edges of an .edge file.
-std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable<Point2>& vertices) {
+///
+/// warnings  gets those from a vertex to itself, which are left out
+std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable<Point2>& vertices,
+                                         std::vector<std::string>& warnings) {
   scan.need_line("the number of segments");
   const std::size_t count = scan.count("the number of segments", shortest_entry);
   const bool with_markers = read_flag(scan, "the number of boundary markers");
@@ -30,11 +34,13 @@ std::vector<Pslg::Segment> read_segments(TextScanner& scan, const VertexTable<Po
     Pslg::Segment segment;
     segment.from = vertices.read_reference(scan, "the first vertex of a segment");
     segment.to = vertices.read_reference(scan, "the second vertex of a segment");
-    if (segment.from == segment.to)
-      scan.fail("both ends of segment " + std::to_string(number) + " are the same vertex",
-                "remove the segment");
     if (with_markers) segment.marker = scan.integer32("the boundary marker of a segment");
     scan.expect_line_end("the segment");
+    if (segment.from == segment.to) {
+      warnings.push_back(scan.where() + ": both ends of segment " + std::to_string(number) +
+                         " are the same vertex; it was left out");
+      continue;
+    }
     segments.push_back(segment);
   }
   return segments;
@@ -82,25 +88,24 @@ std::vector<Pslg::Region> read_regions(TextScanner& scan) {
 /// The marked edges of STEM.poly, or of STEM.edge; those of a .poly with points of its own are not the
 /// mesh's.
 void read_marked_edges(const TriangleFileTexts& texts, const std::string& source,
-                       const VertexTable<Point2>& vertices, MeshSoup<2>& soup,
-                       std::vector<std::string>& warnings) {
+                       const VertexTable<Point2>& vertices, MeshSoup<2>& soup) {
   std::vector<Pslg::Segment> segments;
   if (texts.poly) {
-    soup.marker_names = read_marker_notes(*texts.poly, syntax.comment);
+    soup.mesh.marker_names = read_marker_notes(*texts.poly, syntax.comment);
     TextScanner scan(*texts.poly, source + ".poly", syntax);
     if (read_vertices<Point2>(scan).points.empty()) {
-      segments = read_segments(scan, vertices);
+      segments = read_segments(scan, vertices, soup.warnings);
     } else {
-      warnings.push_back(source +
-                         ".poly holds points of its own: it is the geometry, and its markers were not read");
+      soup.warnings.push_back(
+          source + ".poly holds points of its own: it is the geometry, and its markers were not read");
     }
   } else if (texts.edge) {
     TextScanner scan(*texts.edge, source + ".edge", syntax);
-    segments = read_segments(scan, vertices);
+    segments = read_segments(scan, vertices, soup.warnings);
     std::erase_if(segments, [](const Pslg::Segment& edge) { return edge.marker == 0; });
   }
   for (const Pslg::Segment& s : segments)
-    soup.facets.push_back({{VertexId::from(s.from), VertexId::from(s.to)}, s.marker});
+    soup.add_facet(std::array{VertexId::from(s.from), VertexId::from(s.to)}, s.marker, 0);
 }
 
 // ---- writing ----
@@ -114,7 +119,8 @@ std::string format_mesh_poly(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node, const std::string& source) {
+Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node, const std::string& source,
+                std::vector<std::string>* warnings) {
   TextScanner scan(poly, source, syntax);
   VertexTable<Point2> vertices = read_vertices<Point2>(scan);
   if (vertices.points.empty()) {
@@ -126,7 +132,9 @@ Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node, c
     expect_end(node_scan, "the last vertex");
   }
   Pslg pslg;
-  pslg.segments = read_segments(scan, vertices);
+  std::vector<std::string> left_out;
+  pslg.segments = read_segments(scan, vertices, left_out);
+  if (warnings != nullptr) warnings->insert(warnings->end(), left_out.begin(), left_out.end());
   pslg.holes = read_holes(scan);
   pslg.regions = read_regions(scan);
   expect_end(scan, "the last region");
@@ -166,16 +174,21 @@ std::string format_poly(const Pslg& pslg) {
   return text;
 }
 
-MeshFile parse_triangle_files(const TriangleFileTexts& texts, const std::string& source) {
-  std::vector<std::string> warnings;
-  MeshFile result = parse_stem<2>(texts.node, texts.ele, source, [&](const auto& vertices, auto& soup) {
-    read_marked_edges(texts, source, vertices, soup, warnings);
+MeshSoup<2> triangle_soup(const TriangleFileTexts& texts, const std::string& source) {
+  return parse_stem<2>(texts.node, texts.ele, source, [&](const auto& vertices, auto& soup) {
+    read_marked_edges(texts, source, vertices, soup);
   });
-  result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
-  return result;
+}
+
+MeshFile parse_triangle_files(const TriangleFileTexts& texts, const std::string& source) {
+  return assemble_simplices(triangle_soup(texts, source));
 }
 
 MeshFile read_triangle_files(const std::filesystem::path& path) {
+  return assemble_simplices(read_triangle_soup(path));
+}
+
+MeshSoup<2> read_triangle_soup(const std::filesystem::path& path) {
   const std::filesystem::path ele = sibling(path, ".ele");
   if (path.extension() == ".poly" && !std::filesystem::exists(ele))
     throw InputError(path.string(),
@@ -186,13 +199,14 @@ MeshFile read_triangle_files(const std::filesystem::path& path) {
   texts.ele = read_whole_file(ele);
   texts.poly = text_if_there(sibling(path, ".poly"));
   texts.edge = text_if_there(sibling(path, ".edge"));
-  return parse_triangle_files(texts, sibling(path, "").string());
+  return triangle_soup(texts, sibling(path, "").string());
 }
 
 TriangleFileTexts format_triangle_files(const TriangleMesh& mesh) {
   TriangleFileTexts texts;
   append_vertices(texts.node, mesh.points.flat(), {}, mesh.vertex_markers.flat());
-  texts.ele = format_ele(mesh.corners, mesh.regions);
+  texts.ele = format_marker_notes(mesh.region_names, syntax.comment, "region") +
+              format_ele(mesh.corners, mesh.regions);
   texts.poly = format_mesh_poly(mesh);
   texts.neigh = format_neigh(mesh.neighbours);
   return texts;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "leonhard/mesh/io/file_contents.hpp"
 #include "leonhard/mesh/pslg.hpp"
@@ -49,8 +50,9 @@ void write_triangle_files(const std::filesystem::path& path, const TriangleMesh&
 /// declares 0 points. Attributes of points are skipped; a region line with four numbers gives one value to
 /// attribute and largest area, as Triangle does; an area that is not positive means no bound. throws
 /// InputError: as read_triangle_files; a segment whose ends are the same point
+/// warnings  if it is not null, in words what was left out: segments from a vertex to itself
 [[nodiscard]] Pslg parse_poly(std::string_view poly, const std::optional<std::string>& node,
-                              const std::string& source);
+                              const std::string& source, std::vector<std::string>* warnings = nullptr);
 
 /// The .poly text, numbered from 0, that parse_poly turns back into the same graph.
 /// throws InputError if a marker name holds a line break or begins or ends with a blank

@@ -1,311 +1,291 @@
 // SPDX-License-Identifier: MIT
-#include "leonhard/mesh/io/formats/vtu_grid.hpp"
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/formats/vtk_array.hpp"
+#include "leonhard/mesh/io/formats/vtk_grid.hpp"
 #include "leonhard/mesh/io/formats/vtu_names.hpp"
+#include "leonhard/mesh/io/formats/xml.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
-
 namespace {
-
-/// Names under which other programs keep the number of the physical group that a cell belongs to.
-constexpr const char* cell_marker_names[] = {"marker", "gmsh:physical", "medit:ref", "CellEntityIds"};
 
 /// No field of anybody has more, and no product with a number of vertices overflows.
 constexpr std::int64_t most_components = 1000;
 
-/// "it has density, mach", for the message about a field that is not there.
-std::string field_names(const XmlElement* data) {
-  std::string names;
-  if (data != nullptr)
-    for (const XmlElement& child : data->children)
-      if (child.name == "DataArray") names += (names.empty() ? "it has " : ", ") + child.attribute("Name");
-  return names;
+/// One piece of a .vtu file. Everything throws InputError that names the line of the element at fault.
+class VtuPiece {
+ public:
+  VtuPiece(const XmlElement& piece, const VtkEncoding& encoding) : piece_(piece), encoding_(encoding) {
+    point_count_ = read_count("NumberOfPoints");
+    cell_count_ = read_count("NumberOfCells");
+  }
+
+  VtkGrid read() const {
+    VtkGrid grid;
+    if (point_count_ > 0) grid.points = read_points(grid.points_line);
+    if (cell_count_ > 0) read_cells(grid);
+    grid.point_arrays = read_arrays(piece_.child("PointData"), point_count_, grid.warnings);
+    grid.cell_arrays = read_arrays(piece_.child("CellData"), cell_count_, grid.warnings);
+    return grid;
+  }
+
+ private:
+  [[noreturn]] void fail(const XmlElement& element, std::string problem, std::string remedy = {}) const {
+    throw InputError(at_line(encoding_.source, element.line), std::move(problem), std::move(remedy));
+  }
+
+  const XmlElement& need(const XmlElement& parent, std::string_view name) const {
+    const XmlElement* child = parent.child(name);
+    if (child == nullptr)
+      fail(parent, "the element <" + std::string(parent.name) + "> has no <" + std::string(name) + ">",
+           "the file was cut short, or is no grid of VTK");
+    return *child;
+  }
+
+  const XmlElement& need_array(const XmlElement& data, std::string_view name) const {
+    const auto found = std::find_if(data.children.begin(), data.children.end(), [&](const XmlElement& child) {
+      return child.name == "DataArray" && child.attribute("Name") == name;
+    });
+    if (found == data.children.end())
+      fail(data, "the element <" + std::string(data.name) + "> has no array " + in_quotes(name));
+    return *found;
+  }
+
+  /// Whether the file can hold so many is known to the arrays; the bound keeps later sums from overflowing.
+  std::size_t read_count(const char* attribute) const {
+    const std::string text = piece_.attribute(attribute);
+    TextScanner scan(text, encoding_.source, {.lines_before = piece_.line - 1});
+    scan.need_line(attribute);
+    const std::int64_t count = scan.integer(attribute);
+    if (count < 0 || count >= std::int64_t{std::numeric_limits<IdRaw>::max() / 4})
+      fail(piece_, std::string(attribute) + " is " + std::to_string(count) + ", which no mesh can have");
+    return static_cast<std::size_t>(count);
+  }
+
+  std::vector<Point3> read_points(std::size_t& line) const {
+    const XmlElement& array = need(need(piece_, "Points"), "DataArray");
+    line = array.line;
+    if (array.attribute("NumberOfComponents") != "3") fail(array, "points have other than 3 components");
+    const std::vector<double> coordinates = read_doubles(array, encoding_, 3 * point_count_);
+    std::vector<Point3> points;
+    points.reserve(point_count_);
+    for (std::size_t i = 0; i < coordinates.size(); i += 3)
+      points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+    return points;
+  }
+
+  void read_cells(VtkGrid& grid) const {
+    const XmlElement& data = need(piece_, "Cells");
+    const XmlElement& connectivity = need_array(data, "connectivity");
+    grid.cells_line = connectivity.line;
+    grid.offsets = read_integers(need_array(data, "offsets"), encoding_, cell_count_);
+    grid.types = read_integers(need_array(data, "types"), encoding_, cell_count_);
+    grid.connectivity = read_integers(connectivity, encoding_, std::nullopt);
+    std::int64_t begin = 0;
+    for (std::size_t c = 0; c < cell_count_; ++c) {
+      const std::int64_t end = grid.offsets[c];
+      if (end < begin || end > std::ssize(grid.connectivity))
+        fail(connectivity, "cell " + std::to_string(c) + " ends at entry " + std::to_string(end) + " of " +
+                               std::to_string(grid.connectivity.size()) + ", and begins at " +
+                               std::to_string(begin));
+      begin = end;
+    }
+    for (const std::int64_t v : grid.connectivity)
+      if (v < 0 || static_cast<std::uint64_t>(v) >= point_count_)
+        fail(connectivity, "vertex " + std::to_string(v) + " does not exist, the file has vertices 0 to " +
+                               std::to_string(static_cast<std::int64_t>(point_count_) - 1));
+  }
+
+  /// The numbers of one array, without the third component that write_vtu adds to two.
+  VtkNumbers read_numbers_of(const XmlElement& array, std::size_t rows) const {
+    VtkNumbers numbers{
+        array.attribute("Name"), 1, !array.attribute("type").starts_with("Float"), {}, array.line};
+    const std::string text = array.attribute("NumberOfComponents", "1");
+    TextScanner scan(text, encoding_.source, {.lines_before = array.line - 1});
+    scan.need_line("the number of components");
+    const std::int64_t components = scan.integer("the number of components");
+    if (components < 1 || components > most_components)
+      fail(array,
+           "the field " + in_quotes(numbers.name) + " has " + std::to_string(components) + " components",
+           "1 to " + std::to_string(most_components) + " can be read");
+    numbers.components = static_cast<std::size_t>(components);
+    numbers.values = read_field_values(array, encoding_, numbers.components * rows);
+    if (components == 3 && array.attribute(vtu_names::components) == "2") {
+      for (std::size_t i = 0; i < rows; ++i)
+        std::copy_n(numbers.values.begin() + static_cast<std::ptrdiff_t>(3 * i), 2,
+                    numbers.values.begin() + static_cast<std::ptrdiff_t>(2 * i));
+      numbers.components = 2;
+      numbers.values.resize(2 * rows);
+    }
+    return numbers;
+  }
+
+  std::vector<VtkNumbers> read_arrays(const XmlElement* data, std::size_t rows,
+                                      std::vector<std::string>& warnings) const {
+    std::vector<VtkNumbers> arrays;
+    std::set<std::string> names;
+    if (data == nullptr) return arrays;
+    for (const XmlElement& array : data->children) {
+      if (array.name != "DataArray" && array.name != "Array") continue;
+      const std::string name = array.attribute("Name");
+      const bool is_number = array.name == "DataArray" && array.attribute("type") != "String";
+      const char* reason = !is_number                   ? "it holds no numbers"
+                           : name.empty()               ? "it has no name"
+                           : !names.insert(name).second ? "another one has this name"
+                                                        : nullptr;
+      if (reason != nullptr) {
+        warnings.push_back(at_line(encoding_.source, array.line) + ": the array " + in_quotes(name) +
+                           " was left out: " + reason);
+      } else {
+        arrays.push_back(read_numbers_of(array, rows));
+      }
+    }
+    return arrays;
+  }
+
+  const XmlElement& piece_;
+  const VtkEncoding& encoding_;
+  std::size_t point_count_ = 0, cell_count_ = 0;
+};
+
+/// What write_vtu adds to a file.
+class VtuFieldData {
+ public:
+  VtuFieldData(const XmlElement& data, const VtkEncoding& encoding) : data_(data), encoding_(encoding) {}
+
+  void read(VtkGrid& grid) const {
+    grid.boundary = rows(vtu_names::boundary);
+    grid.inner_facets = rows(vtu_names::constraints);
+    if (!grid.inner_facets) grid.inner_facets = rows(vtu_names::interfaces);
+    grid.marker_names = names(vtu_names::marker_numbers, vtu_names::marker_names);
+    grid.region_names = names(vtu_names::region_numbers, vtu_names::region_names);
+  }
+
+ private:
+  [[noreturn]] void fail(const XmlElement& element, const std::string& problem) const {
+    throw InputError(at_line(encoding_.source, element.line), problem, "the file was damaged");
+  }
+
+  const XmlElement* find(std::string_view name) const {
+    const auto found =
+        std::find_if(data_.children.begin(), data_.children.end(), [&](const XmlElement& child) {
+          return child.name == "DataArray" && child.attribute("Name") == name;
+        });
+    return found == data_.children.end() ? nullptr : &*found;
+  }
+
+  std::optional<VtkRows> rows(std::string_view name) const {
+    const XmlElement* array = find(name);
+    if (array == nullptr) return std::nullopt;
+    const std::string text = array->attribute("NumberOfComponents", "1");
+    TextScanner scan(text, encoding_.source, {.lines_before = array->line - 1});
+    scan.need_line("the number of components");
+    const std::int64_t width = scan.integer("the number of components");
+    if (width < 3 || width > 5) fail(*array, "rows of facets have 3 to 5 numbers");
+    VtkRows result{static_cast<std::size_t>(width), read_integers(*array, encoding_, std::nullopt)};
+    if (result.numbers.size() % result.width != 0)
+      fail(*array, "the entries do not come in rows of " + std::to_string(width) + " numbers");
+    return result;
+  }
+
+  std::map<Marker, std::string> names(std::string_view numbers_name, std::string_view bytes_name) const {
+    const XmlElement *numbers_array = find(numbers_name), *bytes_array = find(bytes_name);
+    if (numbers_array == nullptr || bytes_array == nullptr) return {};
+    const auto numbers = read_integers(*numbers_array, encoding_, std::nullopt);
+    std::vector<std::string> words(1);
+    for (const std::int64_t byte : read_integers(*bytes_array, encoding_, std::nullopt)) {
+      if (byte == 0) {
+        words.emplace_back();
+      } else {
+        words.back() += static_cast<char>(byte);
+      }
+    }
+    if (words.size() != numbers.size() + 1)
+      fail(*bytes_array, "the numbers of markers and of their names differ");
+    std::map<Marker, std::string> result;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (numbers[i] < std::numeric_limits<Marker>::min() || numbers[i] > std::numeric_limits<Marker>::max())
+        fail(*numbers_array, "the marker " + std::to_string(numbers[i]) + " does not fit 32 bits");
+      result.insert_or_assign(static_cast<Marker>(numbers[i]), words[i]);
+    }
+    return result;
+  }
+
+  const XmlElement& data_;
+  const VtkEncoding& encoding_;
+};
+
+const XmlElement& need_root(const XmlElement& root, const char* type, const std::string& source) {
+  if (root.name == "VTKFile" && root.attribute("type") == type)
+    if (const XmlElement* grid = root.child(type)) return *grid;
+  throw InputError(at_line(source, root.line),
+                   std::string("this is no unstructured grid of VTK (<VTKFile type=\"") + type + "\">)",
+                   "give a .vtu file");
 }
+
+/// Pieces one after another.
+class PieceJoiner {
+ public:
+  void add(VtkGrid&& piece) {
+    first_points_.push_back(grid_.points.size());
+    append_piece(grid_, std::move(piece));
+  }
+  VtkGrid finish() && {
+    if (first_points_.size() > 1) join_pieces(grid_, first_points_);
+    return std::move(grid_);
+  }
+
+ private:
+  VtkGrid grid_;
+  std::vector<std::size_t> first_points_;
+};
 
 }  // namespace
 
-VtuGrid::VtuGrid(const XmlElement& root, const std::string& source) : source_(source) {
-  if (root.name != "VTKFile" || root.attribute("type") != "UnstructuredGrid")
-    fail(root, "this is no unstructured grid of VTK (<VTKFile type=\"UnstructuredGrid\">)",
-         "give a .vtu file");
-  encoding_ = vtk_encoding(root, source_);
-  const XmlElement& grid = need(root, "UnstructuredGrid");
-  if (std::count_if(grid.children.begin(), grid.children.end(),
-                    [](const XmlElement& child) { return child.name == "Piece"; }) > 1)
-    fail(grid, "the grid comes in several pieces", "merge them into one (ParaView: Merge Blocks)");
-  piece_ = &need(grid, "Piece");
-  field_data_ = grid.child("FieldData");
-  point_count_ = read_count(*piece_, "NumberOfPoints");
-  cell_count_ = read_count(*piece_, "NumberOfCells");
-}
-
-void VtuGrid::fail(const XmlElement& element, std::string problem, std::string remedy) const {
-  throw InputError(at_line(source_, element.line), std::move(problem), std::move(remedy));
-}
-
-const XmlElement& VtuGrid::need(const XmlElement& parent, std::string_view name) const {
-  const XmlElement* child = parent.child(name);
-  if (child == nullptr)
-    fail(parent, "the element <" + std::string(parent.name) + "> has no <" + std::string(name) + ">",
-         "the file was cut short, or is no grid of VTK");
-  return *child;
-}
-
-const XmlElement* VtuGrid::find_array(const XmlElement* data, std::string_view name) {
-  if (data == nullptr) return nullptr;
-  const auto found = std::find_if(data->children.begin(), data->children.end(), [&](const XmlElement& child) {
-    return child.name == "DataArray" && child.attribute("Name") == name;
-  });
-  return found == data->children.end() ? nullptr : &*found;
-}
-
-const XmlElement& VtuGrid::need_array(const XmlElement& data, std::string_view name) const {
-  const XmlElement* array = find_array(&data, name);
-  if (array == nullptr)
-    fail(data, "the element <" + std::string(data.name) + "> has no array " + in_quotes(name));
-  return *array;
-}
-
-std::size_t VtuGrid::read_count(const XmlElement& element, const char* attribute) const {
-  const std::string text = element.attribute(attribute);
-  TextScanner scan(text, source_, {.lines_before = element.line - 1});
-  scan.need_line(attribute);
-  const std::int64_t count = scan.integer(attribute);
-  // Whether the file can hold so many is known to the arrays; this keeps later sums from overflowing.
-  if (count < 0 || count >= std::int64_t{std::numeric_limits<IdRaw>::max() / 4})
-    fail(element, std::string(attribute) + " is " + std::to_string(count) + ", which no mesh can have");
-  return static_cast<std::size_t>(count);
-}
-
-void VtuGrid::check_vertex_count(const VtuCells& cells, std::size_t c, std::size_t expected) const {
-  if (cells.vertices(c).size() != expected)
-    fail(*cells.array, "cell " + std::to_string(c) + " of type " + std::to_string(cells.types[c]) + " has " +
-                           std::to_string(cells.vertices(c).size()) + " vertices");
-}
-
-VertexId VtuGrid::vertex(const XmlElement& array, std::int64_t id) const {
-  if (id < 0 || static_cast<std::uint64_t>(id) >= point_count_)
-    fail(array, "vertex " + std::to_string(id) + " does not exist, the file has vertices 0 to " +
-                    std::to_string(static_cast<std::int64_t>(point_count_) - 1));
-  return VertexId::from(static_cast<std::size_t>(id));
-}
-
-Marker VtuGrid::marker(const XmlElement& array, std::int64_t value) const {
-  if (value < std::numeric_limits<Marker>::min() || value > std::numeric_limits<Marker>::max())
-    fail(array, "the marker " + std::to_string(value) + " does not fit 32 bits");
-  return static_cast<Marker>(value);
-}
-
-/// An array of whole numbers with one number a row, or none if it is missing or of another shape.
-std::optional<std::vector<std::int64_t>> VtuGrid::find_numbers(const XmlElement* data, std::string_view name,
-                                                               std::size_t count) const {
-  const XmlElement* array = find_array(data, name);
-  if (array == nullptr || array->attribute("NumberOfComponents", "1") != "1") return std::nullopt;
-  if (array->attribute("type").starts_with("Float")) return std::nullopt;
-  return read_integers(*array, encoding_, count);
-}
-
-std::vector<Marker> VtuGrid::markers(const XmlElement& array,
-                                     const std::vector<std::int64_t>& numbers) const {
-  std::vector<Marker> result;
-  result.reserve(numbers.size());
-  for (const std::int64_t value : numbers) result.push_back(marker(array, value));
-  return result;
-}
-
-const XmlElement& VtuGrid::points_array() const { return need(need(*piece_, "Points"), "DataArray"); }
-
-std::vector<Point3> VtuGrid::read_points() const {
-  const XmlElement& array = points_array();
-  if (array.attribute("NumberOfComponents") != "3") fail(array, "points have other than 3 components");
-  const std::vector<double> coordinates = read_doubles(array, encoding_, 3 * point_count_);
-  std::vector<Point3> points;
-  points.reserve(point_count_);
-  for (std::size_t i = 0; i < coordinates.size(); i += 3)
-    points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
-  return points;
-}
-
-std::vector<Point2> VtuGrid::read_plane_points() const {
-  const std::vector<Point3> points = read_points();
-  std::vector<Point2> plane;
-  plane.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].z != points[0].z)
-      fail(points_array(),
-           "point " + std::to_string(i) + " has z = " + std::to_string(points[i].z) +
-               " unlike the first, which has z = " + std::to_string(points[0].z),
-           "only meshes in a plane z = const can be read");
-    plane.push_back({points[i].x, points[i].y});
+VtkGrid parse_vtu_grid(std::string_view bytes, const std::string& source) {
+  const XmlElement root = parse_xml(bytes, source, "AppendedData");
+  const XmlElement& grid = need_root(root, "UnstructuredGrid", source);
+  const VtkEncoding encoding = vtk_encoding(root, source);
+  PieceJoiner joiner;
+  std::size_t pieces = 0;
+  for (const XmlElement& child : grid.children) {
+    if (child.name != "Piece") continue;
+    VtkGrid piece = VtuPiece(child, encoding).read();
+    if (const XmlElement* data = grid.child("FieldData"); data != nullptr && pieces == 0)
+      VtuFieldData(*data, encoding).read(piece);
+    joiner.add(std::move(piece));
+    ++pieces;
   }
-  return plane;
+  if (pieces == 0)
+    throw InputError(at_line(source, grid.line), "the element <UnstructuredGrid> has no <Piece>",
+                     "the file was cut short, or is no grid of VTK");
+  return std::move(joiner).finish();
 }
 
-VtuCells VtuGrid::read_cells() const {
-  const XmlElement& data = need(*piece_, "Cells");
-  VtuCells cells;
-  cells.array = &need_array(data, "connectivity");
-  cells.offsets = read_integers(need_array(data, "offsets"), encoding_, cell_count_);
-  cells.types = read_integers(need_array(data, "types"), encoding_, cell_count_);
-  cells.connectivity = read_integers(*cells.array, encoding_, std::nullopt);
-  std::int64_t begin = 0;
-  for (std::size_t c = 0; c < cell_count_; ++c) {
-    const std::int64_t end = cells.offsets[c];
-    if (end < begin || end > std::ssize(cells.connectivity))
-      fail(*cells.array, "cell " + std::to_string(c) + " ends at entry " + std::to_string(end) + " of " +
-                             std::to_string(cells.connectivity.size()) + ", and begins at " +
-                             std::to_string(begin));
-    begin = end;
+VtkGrid read_pvtu_grid(std::string_view bytes, const std::string& source,
+                       const std::filesystem::path& folder) {
+  const XmlElement root = parse_xml(bytes, source, "AppendedData");
+  const XmlElement& grid = need_root(root, "PUnstructuredGrid", source);
+  PieceJoiner joiner;
+  std::size_t pieces = 0;
+  for (const XmlElement& child : grid.children) {
+    if (child.name != "Piece") continue;
+    ++pieces;
+    const std::string name = child.attribute("Source");
+    if (name.empty())
+      throw InputError(at_line(source, child.line), "a <Piece> names no file (Source=)",
+                       "the file was damaged");
+    const std::filesystem::path path = folder / name;
+    joiner.add(parse_vtu_grid(read_whole_file(path), path.string()));
   }
-  return cells;
-}
-
-std::vector<std::int64_t> VtuGrid::read_cell_types() const {
-  return read_integers(need_array(need(*piece_, "Cells"), "types"), encoding_, cell_count_);
-}
-
-std::vector<Marker> VtuGrid::read_vertex_markers() const {
-  const XmlElement* data = piece_->child("PointData");
-  const auto numbers = find_numbers(data, vtu_names::vertex_marker, point_count_);
-  if (!numbers) return {};
-  return markers(*find_array(data, vtu_names::vertex_marker), *numbers);
-}
-
-std::vector<Marker> VtuGrid::read_cell_markers() const {
-  for (const char* name : cell_marker_names)
-    if (const auto numbers = find_numbers(cell_data(), name, cell_count_))
-      return markers(*find_array(cell_data(), name), *numbers);
-  return {};
-}
-
-std::vector<double> VtuGrid::read_regions() const {
-  const XmlElement* array = find_array(cell_data(), vtu_names::region);
-  if (array == nullptr || array->attribute("NumberOfComponents", "1") != "1") return {};
-  return read_doubles(*array, encoding_, cell_count_);
-}
-
-std::vector<std::int64_t> VtuGrid::read_rows(const XmlElement& array, std::size_t width) const {
-  std::vector<std::int64_t> rows = read_integers(array, encoding_, std::nullopt);
-  if (rows.size() % width != 0)
-    fail(array, "the entries do not come in rows of " + std::to_string(width) + " numbers");
-  return rows;
-}
-
-std::map<Marker, std::string> VtuGrid::read_marker_names() const {
-  const XmlElement* numbers_array = find_array(field_data_, vtu_names::marker_numbers);
-  const XmlElement* names_array = find_array(field_data_, vtu_names::marker_names);
-  if (numbers_array == nullptr || names_array == nullptr) return {};
-  const auto numbers = read_integers(*numbers_array, encoding_, std::nullopt);
-  std::vector<std::string> names(1);
-  for (const std::int64_t byte : read_integers(*names_array, encoding_, std::nullopt)) {
-    if (byte == 0) {
-      names.emplace_back();
-    } else {
-      names.back() += static_cast<char>(byte);
-    }
-  }
-  if (names.size() != numbers.size() + 1)
-    fail(*names_array, "the numbers of markers and of their names differ");
-  std::map<Marker, std::string> result;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    result.insert_or_assign(marker(*numbers_array, numbers[i]), names[i]);
-  return result;
-}
-
-/// The numbers of one array, without the third component that write_vtu adds to two.
-template <class Field>
-Field VtuGrid::read_field(const XmlElement& array, std::size_t rows) const {
-  Field field{array.attribute("Name"), 1, {}};
-  const std::string text = array.attribute("NumberOfComponents", "1");
-  TextScanner scan(text, source_, {.lines_before = array.line - 1});
-  scan.need_line("the number of components");
-  const std::int64_t components = scan.integer("the number of components");
-  if (components < 1 || components > most_components)
-    fail(array, "the field " + in_quotes(field.name) + " has " + std::to_string(components) + " components",
-         "1 to " + std::to_string(most_components) + " can be read");
-  field.components = static_cast<std::size_t>(components);
-  field.values = read_field_values(array, encoding_, field.components * rows);
-  if (components == 3 && array.attribute(vtu_names::components) == "2") {
-    for (std::size_t i = 0; i < rows; ++i)
-      std::copy_n(field.values.begin() + static_cast<std::ptrdiff_t>(3 * i), 2,
-                  field.values.begin() + static_cast<std::ptrdiff_t>(2 * i));
-    field.components = 2;
-    field.values.resize(2 * rows);
-  }
-  return field;
-}
-
-template <class Field>
-std::vector<Field> VtuGrid::read_fields(const XmlElement* data, std::size_t rows, const std::string& kept,
-                                        std::vector<std::string>& warnings) const {
-  std::vector<Field> fields;
-  std::set<std::string> names;
-  if (data == nullptr) return fields;
-  for (const XmlElement& array : data->children) {
-    if (array.name != "DataArray" && array.name != "Array") continue;
-    const std::string name = array.attribute("Name");
-    const bool is_number = array.name == "DataArray" && array.attribute("type") != "String";
-    if (name == kept && names.insert(name).second) continue;  // the mesh has it
-    const char* reason = !is_number                   ? "it holds no numbers"
-                         : name.empty()               ? "it has no name"
-                         : !names.insert(name).second ? "another one has this name"
-                                                      : nullptr;
-    if (reason != nullptr) {
-      warnings.push_back(at_line(source_, array.line) + ": the array " + in_quotes(name) +
-                         " was left out: " + reason);
-    } else {
-      fields.push_back(read_field<Field>(array, rows));
-    }
-  }
-  return fields;
-}
-
-std::vector<PointField> VtuGrid::read_point_fields(std::vector<std::string>& warnings) const {
-  return read_fields<PointField>(piece_->child("PointData"), point_count_, vtu_names::vertex_marker,
-                                 warnings);
-}
-std::vector<CellField> VtuGrid::read_cell_fields(std::vector<std::string>& warnings) const {
-  return read_fields<CellField>(cell_data(), cell_count_, vtu_names::region, warnings);
-}
-
-std::vector<CellField> VtuGrid::read_cell_fields(const VtuCells& cells, std::span<const std::int64_t> types,
-                                                 std::vector<std::string>& warnings) const {
-  std::vector<CellField> fields = read_cell_fields(warnings);
-  for (CellField& field : fields) {
-    std::size_t kept = 0;
-    for (std::size_t c = 0; c < cells.count(); ++c) {
-      if (std::find(types.begin(), types.end(), cells.types[c]) == types.end()) continue;
-      const auto row = field.values.begin() + static_cast<std::ptrdiff_t>(c * field.components);
-      std::copy_n(row, field.components,
-                  field.values.begin() + static_cast<std::ptrdiff_t>(kept++ * field.components));
-    }
-    field.values.resize(kept * field.components);
-  }
-  return fields;
-}
-
-PointField VtuGrid::read_field(const std::string& name) const {
-  const XmlElement* data = piece_->child("PointData");
-  const XmlElement* array = find_array(data, name);
-  if (array == nullptr)
-    fail(data != nullptr ? *data : *piece_, "there is no point field " + in_quotes(name), field_names(data));
-  PointField field = read_field<PointField>(*array, point_count_);
-  if (field.components > 3)
-    fail(*array, "the field " + in_quotes(name) + " has " + std::to_string(field.components) + " components",
-         "1 to 3 can be read");
-  for (std::size_t i = 0; i < field.values.size(); ++i)
-    if (!std::isfinite(field.values[i]))
-      fail(*array, "the field " + in_quotes(name) + " is not finite at vertex " +
-                       std::to_string(i / field.components));
-  return field;
+  if (pieces == 0)
+    throw InputError(at_line(source, grid.line), "the file names no pieces", "it was cut short");
+  return std::move(joiner).finish();
 }
 
 }  // namespace leonhard::io

@@ -5,6 +5,7 @@
 namespace leonhard::io::vtu_names {
 
 inline constexpr const char* vertex_marker = "marker";                    ///< point data
+inline constexpr const char* cell_marker = "marker";                      ///< cell data, of facets
 inline constexpr const char* region = "region";                           ///< cell data
 inline constexpr const char* components = "leonhard_components";          ///< attribute of arrays
 inline constexpr const char* boundary = "leonhard_boundary";              ///< field data: vertices, marker
@@ -13,5 +14,7 @@ inline constexpr const char* interfaces = "leonhard_interfaces";          ///< f
 inline constexpr const char* marker_numbers = "leonhard_marker_numbers";  ///< field data
 inline constexpr const char* marker_names =
     "leonhard_marker_names";  ///< field data: bytes, each name 0-ended
+inline constexpr const char* region_numbers = "leonhard_region_numbers";  ///< likewise of regions
+inline constexpr const char* region_names = "leonhard_region_names";
 
 }  // namespace leonhard::io::vtu_names

@@ -93,26 +93,32 @@ const auto& inner_facets_of(const MixedMesh<Dim>& mesh) {
   return mesh.inner_facets;
 }
 
+/// Numbers, and names of UTF-8, each ended by a zero byte.
+void write_names(VtuText& text, const std::map<Marker, std::string>& names, const std::string& word,
+                 const char* numbers_array, const char* names_array) {
+  if (names.empty()) return;
+  std::vector<std::int64_t> numbers;
+  std::vector<std::uint8_t> bytes;
+  for (const auto& [number, name] : names) {
+    if (name.find('\0') != std::string::npos)
+      throw InputError(word + " " + std::to_string(number), "its name holds a zero byte",
+                       "choose another name");
+    numbers.push_back(number);
+    bytes.insert(bytes.end(), name.begin(), name.end());
+    bytes.push_back(0);
+  }
+  text.array(numbers_array, 1, numbers, true);
+  text.array(names_array, 1, bytes, true);
+}
+
 template <int Dim, class Mesh>
 void write_field_data(VtuText& text, const Mesh& mesh) {
   text.line("<FieldData>");
   write_facets(text, vtu_names::boundary, mesh.boundary, Dim);
   if (!inner_facets_of(mesh).empty())
     write_facets(text, Dim == 2 ? vtu_names::constraints : vtu_names::interfaces, inner_facets_of(mesh), Dim);
-  if (!mesh.marker_names.empty()) {
-    std::vector<std::int64_t> numbers;
-    std::vector<std::uint8_t> names;
-    for (const auto& [marker, name] : mesh.marker_names) {
-      if (name.find('\0') != std::string::npos)
-        throw InputError("marker " + std::to_string(marker), "its name holds a zero byte",
-                         "choose another name");
-      numbers.push_back(marker);
-      names.insert(names.end(), name.begin(), name.end());
-      names.push_back(0);
-    }
-    text.array(vtu_names::marker_numbers, 1, numbers, true);
-    text.array(vtu_names::marker_names, 1, names, true);
-  }
+  write_names(text, mesh.marker_names, "marker", vtu_names::marker_numbers, vtu_names::marker_names);
+  write_names(text, mesh.region_names, "region", vtu_names::region_numbers, vtu_names::region_names);
   text.line("</FieldData>");
 }
 

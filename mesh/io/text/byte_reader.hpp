@@ -38,6 +38,10 @@ class ByteReader {
   [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - offset_; }
   [[nodiscard]] std::string where() const;  ///< "source, byte offset"
   [[nodiscard]] const std::string& source() const { return source_; }
+  /// The bytes from an offset on.
+  [[nodiscard]] std::string_view rest_from(std::size_t offset) const { return bytes_.substr(offset); }
+  /// Goes on by so many bytes, which are there.
+  void skip(std::size_t count) { offset_ += count; }
   void set_swapped(bool swapped) { swapped_ = swapped; }
   [[nodiscard]] bool swapped() const { return swapped_; }
 

@@ -138,14 +138,10 @@ TEST_CASE("airfoil_bad_input_is_refused_with_file_and_line") {
        {"NaN in the first point", replaced(blunt, "1 0.01", "1.0 nan"), {"a.dat:1", "not finite"}},
        {"infinity", replaced(sharp, "0.1  0.08", "0.1 inf"), {"a.dat:4", "\"inf\" is not finite"}},
        {"one number", replaced(sharp, "0.1  0.08", "0.1"), {"a.dat:4", "line ends", "y coordinate"}},
-       {"three numbers", replaced(sharp, "0.1  0.08", "0.1 0.08 0"), {"a.dat:4", "\"0\"", "after x and y"}},
+       {"letters behind", replaced(sharp, "0.1  0.08", "0.1 0.08 z"), {"a.dat:4", "\"z\"", "further column"}},
        {"decimal commas", "1,0 0,01\n", {"a.dat:1"}},
        {"too few", "1 0\n0 0\n0.5 0.1\n1 0\n", {"a.dat:3", "at least 5", "found 3"}},
-       {"repeated point",
-        replaced(sharp, " 0.1  0.08\n", " 0.1  0.08\n 0.1  0.08\n"),
-        {"a.dat:5", "(0.1, 0.08)", "line 4"}},
-       {"repeated -0", replaced(sharp, " 0.0  0.0\n", " 0.0  0.0\n -0.0  0.0\n"), {"a.dat:6", "line 5"}},
-       {"wide gap", replaced(blunt, "1 -0.01", "1 -0.06"), {"a.dat:7", "open", "7 % of the chord", "line 1"}},
+       {"several elements", sharp + "999 999\n" + blunt, {"a.dat", "2 elements"}},
        {"half a curve", "1 0\n0.8 0.05\n0.5 0.1\n0.1 0.08\n0 0\n", {"a.dat:5", "open", "100 % of the chord"}},
        {"open at the leading edge",
         "0 0.001\n0.5 0.1\n1 0\n0.5 -0.1\n0 -0.001\n",
@@ -173,6 +169,36 @@ TEST_CASE("airfoil_bad_input_is_refused_with_file_and_line") {
                     5),
         {"a.dat:1", "zero byte"}}},
       [](const std::string& text) { parse(text); });
+}
+
+TEST_CASE("airfoil_quirks_of_other_programs_are_read_with_a_word_on_each") {
+  const auto warned = [](const std::string& text, const std::vector<Point2>& points, const char* part) {
+    const AirfoilCoordinates airfoil = parse(text);
+    CHECK(airfoil.points == points);
+    const bool told = std::any_of(airfoil.warnings.begin(), airfoil.warnings.end(),
+                                  [&](const std::string& w) { return w.find(part) != std::string::npos; });
+    CHECK_MESSAGE(told, part);
+  };
+  warned(replaced(sharp, " 0.1  0.08\n", " 0.1  0.08\n 0.1  0.08\n"), sharp_points, "(0.1, 0.08) on line 5");
+  warned(replaced(sharp, " 0.0  0.0\n", " 0.0  0.0\n -0.0  0.0\n"), sharp_points, "line 6");
+  warned(replaced(sharp, "0.1  0.08", "0.1 0.08 0"), sharp_points, "behind x and y were left out on 1 lines");
+  std::vector<Point2> wide = blunt_points;
+  wide.back().y = -0.06;
+  warned(replaced(blunt, "1 -0.01", "1 -0.06"), wide, "7 % of the chord");
+  CHECK(parse("0012 64\n" + blunt).points == blunt_points);
+  CHECK(parse(replaced(sharp, "0.5  0.1", "5.0D-01 1.0d-1")).points == sharp_points);
+  CHECK(parse("two lines\nof words\n" + blunt).points == blunt_points);
+  std::string old_mac = sharp, semicolons = blunt;
+  std::replace(old_mac.begin(), old_mac.end(), '\n', '\r');
+  CHECK(parse(old_mac).points == sharp_points);
+  std::replace(semicolons.begin(), semicolons.end(), ' ', ';');
+  CHECK(parse(semicolons).points == blunt_points);
+  CHECK(parse("no counts\n0 0\n0.1 0.08\n0.5 0.1\n1 0\n0 0\n0.1 -0.04\n0.5 -0.05\n1 0\n").points ==
+        sharp_points);
+  const auto elements = io::parse_airfoils(sharp + "999.0 999.0\n" + blunt, "a.dat");
+  REQUIRE(elements.size() == 2);
+  CHECK(elements[0].points == sharp_points);
+  CHECK(elements[1].points == blunt_points);
 }
 
 // ---- simple_polygon ----

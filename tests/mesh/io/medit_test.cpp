@@ -63,22 +63,26 @@ TEST_CASE("medit_sections_may_come_in_any_order_and_entries_span_lines") {
 }
 
 TEST_CASE("harmless_medit_sections_are_passed_over_with_a_warning_if_they_hold_anything") {
-  const std::string text = replaced(two, "Tetrahedra",
-                                    "Edges\n2\n1 2 5\n2 3 5\nCorners 3\n1 2 3\nRidges\n0\nNormals\n1\n0 0 1.5\n"
-                                    "NormalAtVertices 1\n1 1\nTetrahedra");
+  const std::string text =
+      replaced(two, "Tetrahedra",
+               "Edges\n2\n1 2 5\n2 3 5\nCorners 3\n1 2 3\nRidges\n0\nNormals\n1\n0 0 1.5\n"
+               "NormalAtVertices 1\n1 1\nTetrahedra");
   const TetMeshFile file = parse(text);
   CHECK(file.mesh == parse(two).mesh);
   REQUIRE(file.warnings.size() == 5);
-  CHECK(file.warnings[0] == "m.mesh:17: the section Edges (2 entries) was passed over");
+  CHECK(file.warnings[0] == "m.mesh:21: the section Corners (3 entries) was passed over");
+  CHECK(std::count(file.warnings.begin(), file.warnings.end(),
+                   "the section Edges (2 entries) was passed over") == 1);
 }
 
 TEST_CASE("medit_bad_input_is_refused_with_its_line") {
   check_refused(
       {{"empty", "\n", {"m.mesh", "MeshVersionFormatted"}},
-       {"plane", replaced(two, "\n3\nVertices", "\n2\nVertices"), {"m.mesh:3", "Dimension 2", "space"}},
+       {"plane", "MeshVersionFormatted 1\nDimension 2\nVertices 0\n", {"m.mesh", "Dimension 2", "space"}},
+       {"dimension", replaced(two, "\n3\nVertices", "\n4\nVertices"), {"m.mesh:3", "Dimension 4"}},
        {"no tetrahedra",
         replaced(two, "Tetrahedra\n2\n1 2 3 4 6\n2 3 4 5 -6\n", ""),
-        {"m.mesh", "no tetrahedra"}},
+        {"m.mesh", "no cells of space"}},
        {"NaN", replaced(two, "1 0 0 2", "1 nan 0 2"), {"m.mesh:7", "nan", "not finite"}},
        {"three columns", replaced(two, "1 0 0 2\n", "1 0 0\n"), {"m.mesh:11", "\"Triangles\""}},
        {"vertex 0", replaced(two, "1 2 3 4 6", "0 2 3 4 6"), {"m.mesh:19", "vertex 0", "from 1"}},
@@ -88,14 +92,13 @@ TEST_CASE("medit_bad_input_is_refused_with_its_line") {
        {"range of a face", replaced(two, "1 2 4 7", "1 2 6 7"), {"m.mesh:13", "vertex 5"}},
        {"face of no tetrahedron", replaced(two, "1 2 4 7", "1 2 5 7"), {"m.mesh", "0-1-4"}},
        {"face twice", replaced(two, "1 2 4 7", "2 3 1 8"), {"m.mesh:13", "second time", "line 12"}},
-       {"flat", replaced(two, "1 1 1 5", "1 1 -1 5"), {"m.mesh:20", "has no volume"}},
-       {"inverted", replaced(two, "1 2 3 4 6", "2 1 3 4 6"), {"m.mesh:19", "1 of 2", "inverted"}},
+       {"flat", replaced(two, "1 1 1 5", "1 1 -1 5"), {"m.mesh:20", "has volume zero"}},
        {"hexahedra",
         replaced(two, "End", "Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nEnd"),
-        {"m.mesh:22", "1 Hexahedra"}},
+        {"m.mesh:23", "hexahedra", "--split"}},
        {"quadrilaterals",
         replaced(two, "End", "Quadrilaterals\n1\n1 2 3 4 0\nEnd"),
-        {"m.mesh:23", "Quadrilaterals"}},
+        {"m.mesh:23", "4 corners"}},
        {"keyword",
         replaced(two, "Tetrahedra", "Tetrahedrons"),
         {"m.mesh:17", "did you mean \"Tetrahedra\"?"}},

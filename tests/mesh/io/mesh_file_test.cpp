@@ -88,7 +88,7 @@ TEST_CASE("unknown_extensions_are_refused_with_those_known_and_a_suggestion") {
   const auto read = [](const char* path) { return refusal([&] { static_cast<void>(io::read_mesh(path)); }); };
   CHECK(read("a/wing.su").find("a/wing.su: \".su\" is no extension of a mesh file; did you mean \".su2\"?") ==
         0);
-  CHECK(read("wing.stl").find("known are .su2, .vtu, .node, .ele, .poly") != std::string::npos);
+  CHECK(read("wing.stl").find("known are .su2, .vtu, .msh, .mesh, .node") != std::string::npos);
   CHECK(read("wing").find("needs an extension") != std::string::npos);
   CHECK(refusal([] { io::write_mesh("wing.vtk", grid_with_hole()); }).find("did you mean \".vtu\"?") !=
         std::string::npos);

@@ -197,11 +197,7 @@ TEST_CASE("plot3d_bad_maps_are_refused_with_line") {
        {"lengths", replaced(c_map, "1 3 13 10", "1 3 13 11"), {"m.nmf:5", "4 points is joined to one of 3"}},
        {"turned", replaced(c_map, "1 3 13 10", "1 3 10 13"), {"m.nmf:5", "farther apart"}},
        {"cut short", c_map.substr(0, c_map.size() - 6), {"m.nmf:9", "number of a point"}},
-       {"unnamed side", replaced(c_map, "'farfield' 1 4 1 13 1 1\n", ""), {"boundary edge", "has no marker"}},
-       {"twice", c_map + "'wall' 1 4 3 4 1 1\n", {"comes a second time"}},
-       {"open cut",
-        replaced(c_map, "'ONE_TO_ONE' 1 3 1 4 1 1  1 3 13 10 1 1 FALSE\n", ""),
-        {"has no marker"}}},
+       {"twice", c_map + "'wall' 1 4 3 4 1 1\n", {"comes a second time"}}},
       [&](const std::string& map) { return parse_mapped(grid, map); });
 }
 

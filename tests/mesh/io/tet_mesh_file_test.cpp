@@ -18,10 +18,16 @@ namespace {
 io::MeshSoup<3> soup_of(const TetMesh& mesh) {
   io::MeshSoup<3> soup;
   soup.source = "soup";
-  soup.points = mesh.points;
-  for (const auto& corners : mesh.corners) soup.cells.push_back({corners, 4});
-  for (const MarkedFace& face : mesh.boundary) soup.facets.push_back({face.corners, face.marker});
+  soup.mesh.points = mesh.points;
+  for (const auto& corners : mesh.corners) soup.add_cell(CellKind::tetrahedron, corners, 0);
+  for (const MarkedFace& face : mesh.boundary) soup.add_facet(face.corners, face.marker, 0);
   return soup;
+}
+
+MixedFacet<3> face_of(IdRaw a, IdRaw b, IdRaw c) { return {VertexId{a}, VertexId{b}, VertexId{c}}; }
+
+std::array<VertexId, 3> sorted_face(const MixedFacet<3>& face) {
+  return mesh::sorted_facet(std::array{face[0], face[1], face[2]}).corners;
 }
 
 }  // namespace
@@ -111,42 +117,42 @@ TEST_CASE("file_dimension_tells_the_plane_from_space") {
   CHECK(refusal([&] { dimension_of("f.su2", "NPOIN= 0\n"); }).find("NDIME") != std::string::npos);
 }
 
-TEST_CASE("inverted_tetrahedra_are_turned_over_with_a_warning_only_if_all_are") {
+TEST_CASE("inverted_tetrahedra_are_turned_over_each_by_itself_with_one_warning") {
   const TetMesh mesh = tet_shelf::box(1, 1, 1);
   io::MeshSoup<3> soup = soup_of(mesh);
-  for (io::SoupCell& cell : soup.cells) std::swap(cell.corners[2], cell.corners[3]);
-  const TetMeshFile file = io::assemble(soup, io::FacetRule::facets_are_the_boundary);
+  for (const CellId cell : soup.mesh.kinds.ids())
+    std::swap(soup.mesh.corners[cell.index()][2], soup.mesh.corners[cell.index()][3]);
+  const TetMeshFile file = io::assemble_simplices(soup);
   CHECK(file.mesh.corners == mesh.corners);
-  REQUIRE(file.warnings.size() == 1);
-  CHECK(file.warnings[0].find("all 6 tetrahedra are inverted") == 0);
+  CHECK(file.warnings ==
+        std::vector<std::string>{"all 6 tetrahedra are inverted in the file; they were turned over"});
 
-  std::swap(soup.cells[2].corners[0], soup.cells[2].corners[1]);
-  soup.cells[2].line = 12;
-  const std::string message =
-      refusal([&] { (void)io::assemble(soup, io::FacetRule::facets_are_the_boundary); });
-  CHECK(message.find(
-            "soup:12: 1 of 6 tetrahedra are of positive volume unlike the others: tetrahedron 2 (vertices") ==
-        0);
+  std::swap(soup.mesh.corners[2][2], soup.mesh.corners[2][3]);
+  const TetMeshFile mixed = io::assemble_simplices(soup);
+  CHECK(mixed.mesh.corners == mesh.corners);
+  CHECK(mixed.warnings ==
+        std::vector<std::string>{"5 of 6 tetrahedra are inverted in the file; they were turned over"});
 }
 
 TEST_CASE("unlisted_boundary_faces_get_the_marker_of_their_vertices_or_the_first_number_that_is_free") {
   const TetMesh mesh = two_tets();
   io::MeshSoup<3> soup = soup_of(mesh);
-  soup.facets.erase(soup.facets.begin(), soup.facets.begin() + 4);
-  for (io::SoupFacet<3>& face : soup.facets) face.marker = 1;
-  soup.marker_names = {{2, "two"}};
-  soup.vertex_markers = {5, 5, 5, 0, 0};
-  const TetMeshFile file = io::assemble(soup, io::FacetRule::fill_in_the_boundary);
-  REQUIRE(file.warnings.size() == 1);
-  CHECK(file.warnings[0] ==
-        "4 of 6 boundary faces have no marker in the file; they got the marker their three vertices share, "
-        "or 3");
+  auto& facets = soup.mesh.boundary;
+  facets.erase(facets.begin(), facets.begin() + 4);
+  for (auto& face : facets) face.marker = 1;
+  const auto listed = facets;
+  soup.mesh.marker_names = {{2, "two"}};
+  soup.mesh.vertex_markers = PerId<VertexId, Marker>(std::vector<Marker>{5, 5, 5, 0, 0});
+  const TetMeshFile file = io::assemble_simplices(soup);
+  CHECK(file.warnings ==
+        std::vector<std::string>{
+            "4 of 6 boundary faces have no marker in the file; 1 of them got the one that their "
+            "vertices share, the others 3, named unmarked"});
   CHECK_FALSE(mesh::validate(file.mesh));
   for (const MarkedFace& face : file.mesh.boundary) {
-    const bool is_listed =
-        std::any_of(soup.facets.begin(), soup.facets.end(), [&](const io::SoupFacet<3>& f) {
-          return mesh::sorted_facet(f.corners).corners == mesh::sorted_facet(face.corners).corners;
-        });
+    const bool is_listed = std::any_of(listed.begin(), listed.end(), [&](const auto& f) {
+      return sorted_face(f.corners) == mesh::sorted_facet(face.corners).corners;
+    });
     const bool is_bottom =
         mesh::sorted_facet(face.corners).corners == std::array{VertexId{0}, VertexId{1}, VertexId{2}};
     CHECK(face.marker == (is_listed ? 1 : is_bottom ? 5 : 3));
@@ -155,13 +161,13 @@ TEST_CASE("unlisted_boundary_faces_get_the_marker_of_their_vertices_or_the_first
 
 TEST_CASE("listed_inner_faces_are_interfaces_unless_their_marker_is_0") {
   io::MeshSoup<3> soup = soup_of(two_tets());
-  soup.facets.push_back({{VertexId{3}, VertexId{2}, VertexId{1}}, 8, 20});
-  const TetMesh mesh = io::assemble(soup, io::FacetRule::fill_in_the_boundary).mesh;
+  soup.add_facet(std::array{VertexId{3}, VertexId{2}, VertexId{1}}, 8, 20);
+  const TetMesh mesh = io::assemble_simplices(soup).mesh;
   CHECK(mesh.interfaces == std::vector<MarkedFace>{{{VertexId{3}, VertexId{2}, VertexId{1}}, 8}});
-  CHECK(refusal([&] { (void)io::assemble(soup, io::FacetRule::facets_are_the_boundary); }).find("3-2-1") !=
-        std::string::npos);
-  soup.facets.back().marker = 0;
-  CHECK(io::assemble(soup, io::FacetRule::fill_in_the_boundary).mesh.interfaces.empty());
+  soup.mesh.boundary.back().marker = 0;
+  CHECK(io::assemble_simplices(soup).mesh.interfaces.empty());
+  soup.facets_as_they_are = true;
+  CHECK(io::assemble_simplices(soup).mesh.interfaces.size() == 1);
 }
 
 TEST_CASE("soups_that_are_no_mesh_are_refused_with_ids_and_lines") {
@@ -169,57 +175,74 @@ TEST_CASE("soups_that_are_no_mesh_are_refused_with_ids_and_lines") {
   const auto complaint = [&](auto&& spoil) {
     io::MeshSoup<3> soup = good;
     spoil(soup);
-    return refusal([&] { (void)io::assemble(soup, io::FacetRule::facets_are_the_boundary); });
+    return refusal([&] { (void)io::assemble_simplices(soup); });
   };
   const auto has = [](const std::string& text, const char* part) {
     CHECK_MESSAGE(text.find(part) != std::string::npos, part, " in: ", text);
   };
-  has(complaint([](io::MeshSoup<3>& s) { s.points.clear(); }), "no points");
-  has(complaint([](io::MeshSoup<3>& s) { s.cells.clear(); }), "no tetrahedra");
-  has(complaint([](io::MeshSoup<3>& s) { s.points[VertexId{3}].z = std::nan(""); }), "vertex 3 is at (");
+  has(complaint([](io::MeshSoup<3>& s) { s.mesh.points.clear(); }), "no points");
+  has(complaint([](io::MeshSoup<3>& s) { s.mesh.kinds.clear(); }), "no cells of space");
+  has(complaint([](io::MeshSoup<3>& s) { s.mesh.points[VertexId{3}].z = std::nan(""); }), "vertex 3 at (");
   has(complaint([](io::MeshSoup<3>& s) {
-        s.cells[1] = {{VertexId{0}, VertexId{1}, VertexId{2}, VertexId{8}}, 4, 9};
+        s.mesh.corners[1][3] = VertexId{8};
+        s.cell_lines[1] = 9;
       }),
       "soup:9: tetrahedron 1 names vertex 8, but the file has only vertices 0 to 7");
   has(complaint([](io::MeshSoup<3>& s) {
-        s.facets[1] = {{VertexId{0}, VertexId{1}, VertexId{88}}, 1, 30};
+        s.mesh.boundary[1].corners = face_of(0, 1, 88);
+        s.facet_lines[1] = 30;
       }),
       "soup:30: the marked face 0-1-88 names vertex 88");
-  has(complaint([](io::MeshSoup<3>& s) { s.cells[0].corners[1] = s.cells[0].corners[0]; }),
-      "tetrahedron 0 (vertices");
-  has(complaint([](io::MeshSoup<3>& s) { s.cells[0].corners[1] = s.cells[0].corners[0]; }), "has no volume");
-  has(complaint([](io::MeshSoup<3>& s) { s.cells.push_back(s.cells[4]); }), "tetrahedron 6");
-  has(complaint([](io::MeshSoup<3>& s) { s.cells.pop_back(); }), "is no boundary face");
+  has(complaint([](io::MeshSoup<3>& s) { s.mesh.corners[0][1] = s.mesh.corners[0][0]; }),
+      "tetrahedron 0 names vertex 0 twice");
   has(complaint([](io::MeshSoup<3>& s) {
-        s.points.push_back({0.5, 0.25, -1});
-        s.points.push_back({0.5, 0.25, -2});
-        const auto& face = s.facets.front().corners;
-        s.cells.push_back({{face[0], face[2], face[1], VertexId{8}}, 4, 0});
-        s.cells.push_back({{face[0], face[2], face[1], VertexId{9}}, 4, 0});
+        const auto row = s.mesh.corners[4];
+        const std::vector<VertexId> again(row.begin(), row.end());
+        s.add_cell(CellKind::tetrahedron, again, 0);
+      }),
+      "tetrahedron 6");
+  has(complaint([](io::MeshSoup<3>& s) {
+        s.mesh.points.push_back({0.5, 0.25, -1});
+        s.mesh.points.push_back({0.5, 0.25, -2});
+        const auto face = s.mesh.boundary.front().corners;
+        for (const IdRaw apex : {8, 9})
+          s.add_cell(CellKind::tetrahedron, std::array{face[0], face[2], face[1], VertexId{apex}}, 0);
       }),
       "tetrahedr");
-  has(complaint([](io::MeshSoup<3>& s) { s.points.push_back({9, 9, 9}); }), "vertex 8 at (9, 9, 9)");
   has(complaint([](io::MeshSoup<3>& s) {
-        s.facets.front().line = 5;
-        s.facets.push_back(s.facets.front());
-        s.facets.back().line = 6;
-        s.facets.back().marker = 2;
+        s.mesh.points.push_back({9, 9, 9});
+        s.add_facet(std::array{VertexId{0}, VertexId{1}, VertexId{8}}, 4, 7);
+      }),
+      "soup:7: the marked face 0-1-8 has vertex 8, which no cell uses");
+  has(complaint([](io::MeshSoup<3>& s) {
+        s.facet_lines.front() = 5;
+        const auto face = s.mesh.boundary.front().corners;
+        s.add_facet(std::span(face.begin(), face.end()), 2, 6);
       }),
       "comes a second time, after line 5 (markers 1 and 2)");
-  has(complaint([](io::MeshSoup<3>& s) { s.facets.pop_back(); }), "has no marker");
+}
+
+TEST_CASE("a_face_listed_twice_with_one_marker_counts_once") {
+  io::MeshSoup<3> soup = soup_of(two_tets());
+  const auto face = soup.mesh.boundary.front();
+  soup.add_facet(std::span(face.corners.begin(), face.corners.end()), face.marker, 0);
+  const TetMeshFile file = io::assemble_simplices(soup);
+  CHECK(file.mesh.boundary.size() == 6);
+  CHECK(file.warnings ==
+        std::vector<std::string>{"1 marked faces are listed more than once; each was taken once"});
 }
 
 TEST_CASE("tetrahedra_that_overlap_are_refused_though_each_is_positive") {
   io::MeshSoup<3> soup = soup_of(two_tets());
   const io::MeshSoup<3> again = soup_of(two_tets());  // the same, a little aside
-  for (Point3 p : again.points) soup.points.push_back({p.x + 0.25, p.y, p.z});
+  for (const Point3 p : again.mesh.points) soup.mesh.points.push_back({p.x + 0.25, p.y, p.z});
   const auto moved = [](auto corners) {
-    for (VertexId& v : corners) v.raw += 5;
-    return corners;
+    std::vector<VertexId> result(corners.begin(), corners.end());
+    for (VertexId& v : result) v.raw += 5;
+    return result;
   };
-  for (const io::SoupCell& cell : again.cells) soup.cells.push_back({moved(cell.corners), 4});
-  for (const io::SoupFacet<3>& face : again.facets) soup.facets.push_back({moved(face.corners), face.marker});
-  CHECK(refusal([&] {
-          (void)io::assemble(soup, io::FacetRule::facets_are_the_boundary);
-        }).find("soup: the mesh is tangled: ") == 0);
+  for (const CellId cell : again.mesh.kinds.ids())
+    soup.add_cell(CellKind::tetrahedron, moved(again.mesh.corners_of(cell)), 0);
+  for (const auto& face : again.mesh.boundary) soup.add_facet(moved(face.corners), face.marker, 0);
+  CHECK(refusal([&] { (void)io::assemble_simplices(soup); }).find("soup: the mesh is tangled: ") == 0);
 }

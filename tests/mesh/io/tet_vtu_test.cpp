@@ -46,17 +46,17 @@ TEST_CASE("triangles_of_a_vtu_of_space_mark_faces_and_the_others_get_a_number_of
   CHECK(file.mesh.boundary[0] == MarkedFace{{VertexId{0}, VertexId{2}, VertexId{1}}, 4});
   CHECK(std::count_if(file.mesh.boundary.begin(), file.mesh.boundary.end(),
                       [](const MarkedFace& face) { return face.marker == 1; }) == 3);
-  CHECK(file.mesh.marker_names == std::map<Marker, std::string>{{1, "boundary"}});
+  CHECK(file.mesh.marker_names == std::map<Marker, std::string>{{1, "unmarked"}});
 }
 
 TEST_CASE("vtu_bad_meshes_of_space_are_refused") {
   check_refused(
-      {{"hexahedron", replaced(one, ">5 10 3<", ">5 12 3<"), {"m.vtu:6", "type 12 (hexahedron)"}},
+      {{"hexahedron", replaced(one, ">5 10 3<", ">5 12 3<"), {"m.vtu:6", "type 12", "needs 8"}},
        {"corner count", replaced(one, ">3 7 9<", ">3 6 9<"), {"m.vtu:6", "cell 1 of type 10 has 3"}},
        {"range", replaced(one, "0 1 2 3 0 1<", "0 1 2 4 0 1<"), {"m.vtu:6", "vertex 4", "0 to 3"}},
-       {"flat", replaced(one, "0 0 1\n<", "1 1 0\n<"), {"m.vtu", "no volume"}},
+       {"flat", replaced(one, "0 0 1\n<", "1 1 0\n<"), {"m.vtu", "volume zero"}},
        {"NaN", replaced(one, "0 0 1\n<", "nan 1 0\n<"), {"m.vtu:4", "nan"}},
-       {"plane", replaced(one, ">5 10 3<", ">5 9 3<"), {"m.vtu:6", "type 9"}},
+       {"plane", replaced(one, ">5 10 3<", ">5 9 3<"), {"m.vtu", "no cells of space"}},
        {"offsets", replaced(one, ">3 7 9<", ">3 17 9<"), {"m.vtu:6", "entry 17"}},
        {"no types", replaced(one, "Name=\"types\"", "Name=\"kinds\""), {"m.vtu", "no array \"types\""}},
        {"not a vtu", "<html></html>", {"m.vtu:1", "no unstructured grid"}}},

@@ -57,7 +57,6 @@ TEST_CASE("tetgen_bad_input_is_refused_with_file_and_line") {
        {"NaN", replaced(one.node, "0  1  0", "0 nan 0"), {"m.node:4", "nan"}},
        {"columns", replaced(one.node, "0  1  0", "0  1"), {"m.node:4", "z coordinate"}},
        {"order", replaced(one.node, "   3    0", "   4    0"), {"m.node:4", "vertex 4", "vertex 3"}},
-       {"unused", replaced(one.node, "4  3", "5  3") + "5 9 9 9\n", {"m.ele", "vertex 4 at (9, 9, 9)"}},
        {"cut short", one.node.substr(0, 60), {"m.node:", "file ends"}}},
       with_node);
   const auto with_ele = [](const std::string& text) {
@@ -66,14 +65,14 @@ TEST_CASE("tetgen_bad_input_is_refused_with_file_and_line") {
     parse(texts);
   };
   check_refused(
-      {{"ten nodes", "1 10 0\n1 1 2 3 4 5 6 7 8 9 10\n", {"m.ele:1", "10 nodes", "-o2"}},
-       {"triangles", "1 3 0\n1 1 2 3\n", {"m.ele:1", "3 nodes", "plane"}},
+      {{"ten nodes", "1 10 0\n1 1 2 3 4 5 6 7 8 9 10\n", {"m.ele:2", "vertex 5"}},
+       {"triangles", "1 3 0\n1 1 2 3\n", {"m.ele:1", "3 corners", "plane"}},
        {"range", replaced(one.ele, "2     3     4", "2     3     5"), {"m.ele:2", "vertex 5", "1 to 4"}},
-       {"flat", replaced(one.ele, "2     3     4", "2     3     3"), {"m.ele:2", "no volume", "from 1"}},
+       {"flat", replaced(one.ele, "2     3     4", "2     3     3"), {"m.ele:2", "vertex 2 twice", "from 1"}},
        {"twice", "2 4\n1 1 2 3 4\n2 1 2 3 4\n", {"m.ele", "tetrahedr", "1"}},
        {"too few", "2 4\n1 1 2 3 4\n", {"m.ele", "tetrahedr"}},
        {"too many", "1 4\n1 1 2 3 4\n2 1 2 3 4\n", {"m.ele:3", "after the last tetrahedron"}},
-       {"none", "0 4\n", {"m.ele", "no tetrahedra"}}},
+       {"none", "0 4\n", {"m.ele", "no cells of space"}}},
       with_ele);
   const auto with_face = [](const std::string& text) {
     io::TetgenFileTexts texts = one;

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <span>
 #include <utility>
 
-#include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/formats/su2.hpp"
 #include "leonhard/mesh/io/formats/su2_parser.hpp"
-#include "leonhard/mesh/io/formats/su2_writer.hpp"
+#include "leonhard/mesh/io/formats/su2_soup.hpp"
 #include "leonhard/mesh/io/formats/vtk_types.hpp"
-#include "leonhard/mesh/io/soup/mixed_soup.hpp"
 
 namespace leonhard::io {
 namespace {
 
 /// Words for what a dimension's files hold.
 template <int Dim>
-struct MixedTerms;
+struct Su2Terms;
 template <>
-struct MixedTerms<2> {
+struct Su2Terms<2> {
   static constexpr const char *cells = "5 (triangle) or 9 (quadrilateral)", *facets = "3 (line)",
                               *not_a_cell = ", which is no cell of the plane",
                               *not_a_facet = ", but a boundary of the plane is made of lines";
 };
 template <>
-struct MixedTerms<3> {
+struct Su2Terms<3> {
   static constexpr const char *cells = "10 (tetrahedron), 12 (hexahedron), 13 (prism) or 14 (pyramid)",
                               *facets = "5 (triangle) or 9 (quadrilateral)",
                               *not_a_cell = ", which is no cell of space",
@@ -30,17 +30,18 @@ struct MixedTerms<3> {
 };
 
 template <int Dim>
-class MixedParser final : Su2Parser {
+class Su2SoupParser final : Su2Parser {
  public:
-  MixedParser(std::string_view text, const std::string& source) : Su2Parser(text, source, Dim) {
+  Su2SoupParser(std::string_view text, const Su2Zone& zone, const std::string& source)
+      : Su2Parser(text, zone, source, Dim) {
     soup_.source = source;
   }
 
-  MixedMeshFile<Dim> parse() {
+  MeshSoup<Dim> parse() {
     read_sections();
     soup_.mesh.marker_names = std::move(names());
     soup_.warnings = std::move(warnings());
-    return assemble(std::move(soup_), FacetRule::facets_are_the_boundary);
+    return std::move(soup_);
   }
 
  private:
@@ -49,13 +50,12 @@ class MixedParser final : Su2Parser {
     const auto kind = kind_of_vtk_type(type);
     if (!kind || shape_of(*kind).dimension != Dim)
       scan().fail("cell " + std::to_string(index) + " has the type " + std::to_string(type) +
-                      MixedTerms<Dim>::not_a_cell,
-                  std::string("use ") + MixedTerms<Dim>::cells);
+                      Su2Terms<Dim>::not_a_cell,
+                  std::string("use ") + Su2Terms<Dim>::cells);
     std::array<VertexId, most_cell_corners> corners;
     const std::size_t count = shape_of(*kind).corner_count;
     for (std::size_t i = 0; i < count; ++i) corners[i] = read_vertex("a vertex of the cell");
-    soup_.mesh.add_cell(*kind, std::span<const VertexId>(corners.data(), count));
-    soup_.cell_lines.push_back(static_cast<std::uint32_t>(scan().line()));
+    soup_.add_cell(*kind, std::span<const VertexId>(corners.data(), count), scan().line());
   }
 
   void read_coordinates() override {
@@ -70,13 +70,11 @@ class MixedParser final : Su2Parser {
                                                                       : 0);
     if (count == 0)
       scan().fail("the marker " + in_quotes(tag) + " has an element of type " + std::to_string(type) +
-                      MixedTerms<Dim>::not_a_facet,
-                  type == 1 ? su2_partitioned : std::string("use ") + MixedTerms<Dim>::facets);
+                      Su2Terms<Dim>::not_a_facet,
+                  std::string("use ") + Su2Terms<Dim>::facets);
     std::array<VertexId, MixedFacet<Dim>::most_corners> corners;
     for (std::size_t i = 0; i < count; ++i) corners[i] = read_vertex("a vertex of the boundary element");
-    soup_.mesh.boundary.push_back(
-        {MixedFacet<Dim>(std::span<const VertexId>(corners.data(), count)), marker});
-    soup_.facet_lines.push_back(static_cast<std::uint32_t>(scan().line()));
+    soup_.add_facet(std::span<const VertexId>(corners.data(), count), marker, scan().line());
   }
 
   void reserve(std::size_t cells, std::size_t points) override {
@@ -88,46 +86,41 @@ class MixedParser final : Su2Parser {
       facet.marker = number_of_tag[static_cast<std::size_t>(facet.marker) - 1];
   }
 
-  MixedSoup<Dim> soup_;
+  MeshSoup<Dim> soup_;
 };
-
-std::int64_t vtk_type_of_facet(const MixedFacet<2>&) { return vtk_line; }
-std::int64_t vtk_type_of_facet(const MixedFacet<3>& face) {
-  return face.size() == 3 ? vtk_triangle : vtk_quadrilateral;
-}
-
-template <int Dim>
-std::string format_mixed(const MixedMesh<Dim>& mesh) {
-  return su2_text<Dim>(
-      mesh, mesh.kinds.ids(),
-      [&](std::string& text, CellId cell) {
-        append_su2_element(text, vtk_type_of(mesh.kinds[cell]), mesh.corners_of(cell));
-      },
-      [](std::string& text, const auto& facet) {
-        append_su2_element(text, vtk_type_of_facet(facet.corners), facet.corners);
-      });
-}
 
 }  // namespace
 
 template <int Dim>
+MeshSoup<Dim> parse_su2_soup(std::string_view text, const std::string& source,
+                             std::optional<std::size_t> zone) {
+  return Su2SoupParser<Dim>(text, find_su2_zone(text, source, zone), source).parse();
+}
+
+MeshFile parse_su2(std::string_view text, const std::string& source) {
+  return assemble_simplices(parse_su2_soup<2>(text, source));
+}
+TetMeshFile parse_tet_su2(std::string_view text, const std::string& source) {
+  return assemble_simplices(parse_su2_soup<3>(text, source));
+}
+template <int Dim>
 MixedMeshFile<Dim> parse_mixed_su2(std::string_view text, const std::string& source) {
-  return MixedParser<Dim>(text, source).parse();
+  return assemble_mixed(parse_su2_soup<Dim>(text, source));
+}
+
+MeshFile read_su2(const std::filesystem::path& path) {
+  return parse_su2(read_whole_file(path), path.string());
+}
+TetMeshFile read_tet_su2(const std::filesystem::path& path) {
+  return parse_tet_su2(read_whole_file(path), path.string());
 }
 template <int Dim>
 MixedMeshFile<Dim> read_mixed_su2(const std::filesystem::path& path) {
   return parse_mixed_su2<Dim>(read_whole_file(path), path.string());
 }
 
-std::string format_su2(const MixedMesh<2>& mesh) { return format_mixed(mesh); }
-std::string format_su2(const MixedMesh<3>& mesh) { return format_mixed(mesh); }
-void write_su2(const std::filesystem::path& path, const MixedMesh<2>& mesh) {
-  write_file_atomically(path, format_su2(mesh));
-}
-void write_su2(const std::filesystem::path& path, const MixedMesh<3>& mesh) {
-  write_file_atomically(path, format_su2(mesh));
-}
-
+template MeshSoup<2> parse_su2_soup(std::string_view, const std::string&, std::optional<std::size_t>);
+template MeshSoup<3> parse_su2_soup(std::string_view, const std::string&, std::optional<std::size_t>);
 template MixedMeshFile<2> parse_mixed_su2<2>(std::string_view, const std::string&);
 template MixedMeshFile<3> parse_mixed_su2<3>(std::string_view, const std::string&);
 template MixedMeshFile<2> read_mixed_su2<2>(const std::filesystem::path&);
