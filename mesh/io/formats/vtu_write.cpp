@@ -170,7 +170,7 @@ void add_cells(VtuCellArrays& cells, const MixedMesh<Dim>& mesh) {
 }
 
 /// What goes into the piece of a file beside its cells.
-struct VtuPiece {
+struct WrittenPiece {
   std::size_t points{}, cells{};
   std::vector<double> coordinates;  ///< three a point
   VtuCellArrays cell_arrays;
@@ -189,7 +189,7 @@ std::vector<double> coordinates_of(const Points& points) {
 
 /// The file about its parts: each of the three writes its lines, or none.
 template <class FieldData, class PointData, class CellData>
-std::string format_piece(const VtuPiece& piece, FieldData field_data, PointData point_data, CellData cell_data) {
+std::string format_piece(const WrittenPiece& piece, FieldData field_data, PointData point_data, CellData cell_data) {
   VtuText text;
   const std::string compressor(vtk_compressor());
   text.line("<?xml version=\"1.0\"?>");
@@ -224,7 +224,7 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields
   mesh::require_ids_in_range(mesh);
   check_fields(point_fields, mesh.vertex_count(), {vtu_names::vertex_marker});
   check_fields(cell_fields, mesh.cell_count(), {vtu_names::region});
-  VtuPiece piece{mesh.vertex_count(), mesh.cell_count(), coordinates_of(mesh.points), {}};
+  WrittenPiece piece{mesh.vertex_count(), mesh.cell_count(), coordinates_of(mesh.points), {}};
   add_cells(piece.cell_arrays, mesh);
   return format_piece(
       piece, [&](VtuText& text) { write_field_data<Dim>(text, mesh); },
@@ -318,7 +318,7 @@ void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, 
   const UsedPoints used(points.size(), facets);
   std::vector<Point3> places;
   for (const VertexId v : used.all()) places.push_back(points[v]);
-  VtuPiece piece{places.size(), facets.size(), coordinates_of(places), {}};
+  WrittenPiece piece{places.size(), facets.size(), coordinates_of(places), {}};
   for (const MixedFacet<3>& facet : facets)
     piece.cell_arrays.add(facet.size() == 3 ? CellKind::triangle : CellKind::quadrilateral, used.renumbered(facet));
   std::vector<PointField> parts;
