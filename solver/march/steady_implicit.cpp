@@ -18,8 +18,9 @@ namespace {
 constexpr double default_cfl = 10, default_cfl_max = 1e6, least_cfl = 1e-3;
 constexpr double cfl_growth = 3, greatest_growth = 5;  ///< an iteration, at an even residual and at a falling one
 
-constexpr double start_up_drop = 1.5;    ///< orders of its own residual after which the start-up ends ...
-constexpr int start_up_iterations = 200;  ///< ... or iterations
+/// Orders of its own residual after which the start-up ends. In subsonic streams the lift builds up slowly, which costs least here.
+constexpr double start_up_drop_subsonic = 3, start_up_drop_supersonic = 1.5;
+constexpr int start_up_iterations = 200;  ///< likewise
 constexpr double start_up_change = 1;    ///< of density and pressure at a vertex in a step; see relative_change
 constexpr double clipped_cfl = 20;  ///< the CFL number falls to this while vertices are held back by start_up_change
 constexpr LinearOptions start_up_linear{0.05, 60};
@@ -68,7 +69,8 @@ class ImplicitMarch {
   explicit ImplicitMarch(March<dim>& march)
       : march_(march),
         system_(block_pattern(march.spatial.plan()), static_cast<int>(n), fill_levels),
-        starting_(march.problem.initial.empty()) {
+        starting_(march.problem.initial.empty()),
+        start_up_drop_(march.problem.free_stream.mach < 1 ? start_up_drop_subsonic : start_up_drop_supersonic) {
     to_conserved(march.problem.gas, march.state, q_);
     step_.resize(q_.size());
     march.cfl = std::min(march.options.cfl_start.value_or(default_cfl), cfl_max());
@@ -77,7 +79,7 @@ class ImplicitMarch {
 
   Verdict run() {
     for (int number = 1;; ++number) {
-      if (starting_ && (std::log10(first_norm_ / norm_) >= start_up_drop || number > start_up_iterations))
+      if (starting_ && (std::log10(first_norm_ / norm_) >= start_up_drop_ || number > start_up_iterations))
         take_over();
       while (!advance()) {
         if (march_.stop.stop_requested()) return Verdict::stopped;
@@ -275,6 +277,7 @@ class ImplicitMarch {
   March<dim>& march_;
   BlockSystem system_;
   bool starting_;  ///< in the start-up
+  double start_up_drop_;
   LinearReport linear_{};
   std::size_t clipped_ = 0;  ///< vertices that the start-up held back in this step
   std::vector<double> q_, residual_, step_, right_, speeds_;

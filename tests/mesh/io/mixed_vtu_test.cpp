@@ -109,13 +109,13 @@ TEST_CASE("facets_are_written_as_a_surface_with_the_points_that_they_use_alone")
   const auto path = folder.path / "surface.vtu";
   io::write_surface_vtu(path, points, facets, {{"cf", 2, {0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}}, {{"marker", 1, {3, 4}}});
   std::ifstream in(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}}, source = "surface.vtu";
-  const io::XmlElement root = io::parse_xml(bytes, source, "AppendedData");
-  const io::VtuGrid grid(root, source);
-  CHECK(grid.read_points() == std::vector<Point3>(points.begin() + 1, points.end()));
-  const io::VtuCells cells = grid.read_cells();
-  CHECK(cells.types == std::vector<std::int64_t>{9, 5});
-  CHECK(cells.connectivity == std::vector<std::int64_t>{0, 1, 2, 3, 1, 4, 2});
-  CHECK(grid.read_field("cf").values == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const io::VtkGrid grid = io::parse_vtu_grid(bytes, "surface.vtu");
+  CHECK(grid.points == std::vector<Point3>(points.begin() + 1, points.end()));
+  CHECK(grid.types == std::vector<std::int64_t>{9, 5});
+  CHECK(grid.connectivity == std::vector<std::int64_t>{0, 1, 2, 3, 1, 4, 2});
+  REQUIRE(grid.point_arrays.size() == 1);
+  CHECK(grid.point_arrays[0].name == "cf");
+  CHECK(grid.point_arrays[0].values == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
   CHECK_THROWS_WITH_AS(io::write_surface_vtu(path, points, {{at(0), at(1), at(8)}}), doctest::Contains("vertex 8"), InputError);
 }
