@@ -3,6 +3,7 @@
 
 #include "leonhard/solver/flux/jacobian.hpp"
 #include "leonhard/solver/flux/primitive.hpp"
+#include "leonhard/solver/flux/viscous_constants.hpp"
 
 // Friction and conduction of heat between two control volumes.
 //
@@ -15,11 +16,6 @@
 // every median dual of simplices.
 
 namespace leonhard::solver {
-
-/// What the viscous terms know besides the states; viscosity in units of rho_inf c_inf length.
-struct ViscousConstants {
-  double gamma = 1.4, viscosity = 0, sutherland = -1, inverse_prandtl = 1;
-};
 
 /// Temperature as the square of the speed of sound.
 template <int dim, class T>

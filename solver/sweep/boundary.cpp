@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "leonhard/solver/flux/roe.hpp"
+#include "leonhard/solver/flux/viscous.hpp"
 #include "leonhard/solver/support/axes.hpp"
 #include "leonhard/solver/support/dual_number.hpp"
 

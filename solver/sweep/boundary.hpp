@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "leonhard/solver/flux/viscous.hpp"
+#include "leonhard/solver/flux/viscous_constants.hpp"
 #include "leonhard/solver/problem.hpp"
 
 namespace leonhard::solver {
