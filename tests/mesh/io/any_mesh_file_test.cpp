@@ -237,10 +237,11 @@ TEST_CASE("welding_joins_vertices_of_equal_or_near_places") {
 }
 
 TEST_CASE("gmsh_elements_keep_groups_entities_and_what_is_none") {
-  CHECK(std::get<TriangleMesh>(read("save_all.msh").mesh).marker_names.empty() == false);
+  const AnyMeshFile save_all = read("save_all.msh");
+  const auto& entities = std::get<TriangleMesh>(save_all.mesh);
+  CHECK_FALSE(entities.marker_names.empty());
   std::set<Marker> markers;
-  for (const MarkedEdge& edge : std::get<TriangleMesh>(read("save_all.msh").mesh).boundary)
-    markers.insert(edge.marker);
+  for (const MarkedEdge& edge : entities.boundary) markers.insert(edge.marker);
   CHECK(markers.size() == 6);
   const AnyMeshFile several = read("several_groups.msh");
   CHECK(std::get<TriangleMesh>(several.mesh).triangle_count() == 4);
