@@ -95,9 +95,10 @@ bool looks_like_point(TextScanner scan) {
   if (scan.line_done() || parse_coordinate(first, unused) == NumberFault::not_a_number) return false;
   std::size_t words = 1;
   bool all_are_numbers = true;
-  for (; !scan.line_done(); ++words)
-    all_are_numbers =
-        all_are_numbers && parse_coordinate(scan.word("a coordinate"), unused) != NumberFault::not_a_number;
+  for (; !scan.line_done(); ++words) {
+    const std::string_view word = scan.word("a coordinate");
+    all_are_numbers = all_are_numbers && parse_coordinate(word, unused) != NumberFault::not_a_number;
+  }
   return all_are_numbers || (words == 2 && first.find('.') != std::string_view::npos);
 }
 

@@ -52,6 +52,12 @@ TEST_CASE("sharp_airfoil_in_seligs_order_is_read_as_a_loop_without_its_last_poin
   CHECK_FALSE(airfoil.blunt_trailing_edge);
 }
 
+TEST_CASE("a_name_that_begins_with_a_number_and_goes_on_in_words_ends") {  // it once was read for ever
+  const AirfoilCoordinates airfoil = parse("0012 a section of NACA" + sharp.substr(sharp.find('\n')));
+  CHECK(airfoil.name == "0012 a section of NACA");
+  CHECK(airfoil.points == sharp_points);
+}
+
 TEST_CASE("blunt_airfoil_without_a_name_is_named_after_its_file") {
   const AirfoilCoordinates airfoil = parse(blunt);
   CHECK(airfoil.name == "a");
