@@ -62,8 +62,8 @@ template <int dim>
 class ImplicitMarch {
  public:
   static constexpr std::size_t n = dim + 2;
-  /// Of the incomplete factors: one level pays in the plane; in space it costs three times the matrix's memory, and factors
-  /// in the matrix's place with products by differences in the start-up, too, are faster.
+  /// Of the incomplete factors: one level pays in the plane. In space it would double the memory of the whole march, for two fifths
+  /// fewer linear iterations: there the factors take the matrix's place, and the start-up, too, takes products by differences.
   static constexpr int fill_levels = dim == 2 ? 1 : 0;
 
   explicit ImplicitMarch(March<dim>& march)
