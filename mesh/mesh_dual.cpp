@@ -106,7 +106,11 @@ EdgeList build_edges(const MixedMesh<Dim>& mesh) {
 template <int Dim>
 DualFacet<Dim> dual_facet(const PerId<VertexId, typename Simplex<Dim>::Point>& points,
                           const MarkedMixedFacet<Dim>& facet, CellKind cell) {
-  return dual_of_facet(points, DualFacet<Dim>{facet.corners, facet.marker, cell, {}, {}});
+  const auto first = points[facet.corners[0]];
+  typename Simplex<Dim>::Vector sum{};
+  for (const VertexId v : facet.corners) sum += points[v] - first;
+  const auto centre = first + (1.0 / static_cast<double>(facet.corners.size())) * sum;
+  return dual_of_facet(points, DualFacet<Dim>{facet.corners, facet.marker, cell, {}, {}, centre});
 }
 
 namespace {

@@ -23,6 +23,7 @@ struct DualFacet {
   /// The part of normal that belongs to each of the corners: half of an edge, a third of a triangle, of a quadrilateral the
   /// piece between the corner, the midpoints of its two edges and the centre. They add up to normal; beyond the last: 0.
   std::array<Vector, MixedFacet<Dim>::most_corners> shares{};
+  typename Simplex<Dim>::Point centre{};  ///< mean of the corners
 
   friend bool operator==(const DualFacet&, const DualFacet&) = default;
 };
@@ -42,9 +43,15 @@ struct MeshDual {
   PerId<VertexId, double> volume;        ///< of each control volume
   std::vector<DualFacet<Dim>> boundary;  ///< in the order of the mesh's
   std::map<Marker, std::string> marker_names;
+  /// One an edge where periodic sides are joined (mesh::join_sides): the way from ends[0] to ends[1]. Empty: the difference of
+  /// their points. Where there is one, two vertices may have several edges, and a vertex one to itself.
+  PerId<EdgeId, Vector> span{};
 
   [[nodiscard]] std::size_t vertex_count() const { return points.size(); }
   [[nodiscard]] std::size_t edge_count() const { return edges.edge_count(); }
+  [[nodiscard]] Vector edge_vector(EdgeId e) const {
+    return span.empty() ? points[edges.ends[e][1]] - points[edges.ends[e][0]] : span[e];
+  }
 
   friend bool operator==(const MeshDual&, const MeshDual&) = default;
 };

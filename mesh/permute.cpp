@@ -187,6 +187,7 @@ RenumberedMixed<Dim> renumber(const MixedMesh<Dim>& mesh, const PerId<VertexId, 
 template <int Dim>
 MeshDual<Dim> renumber_vertices(const MeshDual<Dim>& dual, const PerId<VertexId, VertexId>& new_of_old) {
   check_permutation(dual.vertex_count(), new_of_old);
+  if (!dual.span.empty()) throw InputError("dual", "has periodic sides joined", "renumber it before joining them");
   MeshDual<Dim> result;
   result.points = renumbered(dual.points, new_of_old);
   result.volume = renumbered(dual.volume, new_of_old);

@@ -83,14 +83,6 @@ class Coefficients {
   double scale_, length_;
 };
 
-template <int dim>
-typename Simplex<dim>::Point centre_of(const MeshDual<dim>& dual, const MixedFacet<dim>& corners) {
-  const auto first = dual.points[corners[0]];
-  typename Simplex<dim>::Vector sum{};
-  for (const VertexId v : corners) sum += dual.points[v] - first;
-  return first + (1.0 / static_cast<double>(corners.size())) * sum;
-}
-
 /// Pressure less that of the free stream, over the facet.
 template <int dim>
 Axes<dim> pressure_force(const FlowProblem<dim>& problem, const PerId<VertexId, State<dim>>& state,
@@ -135,7 +127,7 @@ std::map<Marker, Forces> wall_forces(const FlowProblem<dim>& problem, const PerI
   std::map<Marker, Forces> forces;
   for (const DualFacet<dim>& facet : problem.dual.boundary) {
     if (!is_wall(problem.boundary.at(facet.marker).kind)) continue;
-    forces[facet.marker] += coefficients(pressure_force(problem, state, facet), centre_of(problem.dual, facet.corners));
+    forces[facet.marker] += coefficients(pressure_force(problem, state, facet), facet.centre);
   }
   const double dynamic = 0.5 * problem.free_stream.mach * problem.free_stream.mach;
   for (const WallStress<dim>& stress : stresses)

@@ -17,6 +17,7 @@ enum class BoundaryKind {
   subsonic_inflow,     ///< total pressure, total temperature and direction are prescribed
   pressure_outflow,    ///< static pressure is prescribed where the flow out is subsonic
   symmetry,            ///< as a slip wall, without forces
+  periodic,            ///< joined to its partner, the same side moved by a translation
 };
 
 /// How the flux between two control volumes is computed; a file each in flux/, docs/solver.md tells when to take which.
@@ -65,6 +66,8 @@ enum class Marching {
       return "pressure_outflow";
     case BoundaryKind::symmetry:
       return "symmetry";
+    case BoundaryKind::periodic:
+      return "periodic";
   }
   return "";
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/solver/periodic.hpp"
 
 namespace leonhard {
 
@@ -158,6 +159,7 @@ void check_problem(const FlowProblem<dim>& problem) {
                      "give one state a vertex, or none");
   check_markers(problem);
   for (const auto& [marker, condition] : problem.boundary) check_values(problem, marker, condition);
+  (void)match_periodic(problem.dual, problem.boundary);
 }
 
 template void check_problem(const FlowProblem<2>&);

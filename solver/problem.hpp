@@ -35,6 +35,9 @@ struct BoundaryCondition {
   /// no_slip_wall: over the free stream's temperature; none: adiabatic.
   std::optional<double> temperature{};
   Vector wall_velocity{};  ///< no_slip_wall: in units of the free stream's speed of sound, along the wall
+  Marker partner{};        ///< periodic: the other side, whose partner is this one
+  /// periodic: from this side to its partner, given by one of the two at most; none: found from the mesh (mesh::match_sides).
+  std::optional<Vector> translation{};
 
   friend bool operator==(const BoundaryCondition&, const BoundaryCondition&) = default;
 };
@@ -71,7 +74,8 @@ namespace solver {
 /// throws  InputError naming the marker, value or vertex: an id out of range or an array of the wrong size, a control
 ///         volume that is not positive, a marker on the boundary without a condition, a condition whose marker is
 ///         nowhere, whose values are out of range or that needs a viscosity there is not, Mach <= 0 or not finite,
-///         gamma <= 1, a reference length or area <= 0, a Reynolds or Prandtl number <= 0, an empty mesh
+///         gamma <= 1, a reference length or area <= 0, a Reynolds or Prandtl number <= 0, an empty mesh, periodic sides
+///         that do not match (mesh::match_sides) or are not each other's partners
 template <int dim>
 void check_problem(const FlowProblem<dim>& problem);
 

@@ -94,7 +94,9 @@ FlowResidual<dim>::FlowResidual(const FlowProblem<dim>& problem, const SpatialOp
       gradient_(options.order == 2 ? dim * n * plan_.vertex_count : 0),
       unlimited_(options.order == 2 && problem.viscosity ? gradient_.size() : 0),
       source_(sources(problem)),
-      settings_(settings_of(problem, options, limiter_scale_.data())) {}
+      settings_(settings_of(problem, options, limiter_scale_.data())) {
+  settings_.repeats_edges = plan_.repeats_edges;
+}
 
 template <int dim>
 void FlowResidual<dim>::follow_lift(const States& state) {
@@ -192,8 +194,15 @@ void FlowResidual<dim>::jacobian(const States& state, std::span<double> blocks) 
   const SweepMesh<dim> mesh = plan_.view();
   run_(plan_.parts.size(), [&](std::size_t part) {
     const PartRange& range = plan_.parts[part];
-    for (std::uint32_t k = range.vertex_begin; k < range.vertex_end; ++k)
-      std::fill_n(blocks.data() + n * n * plan_.diagonal_block(plan_.part_vertices[k]), n * n, 0.0);
+    for (std::uint32_t k = range.vertex_begin; k < range.vertex_end; ++k) {
+      const std::uint32_t v = plan_.part_vertices[k];
+      if (!plan_.repeats_edges) {
+        std::fill_n(blocks.data() + n * n * plan_.diagonal_block(v), n * n, 0.0);
+        continue;
+      }
+      const std::size_t first = plan_.neighbours.offsets()[v] + v, count = plan_.neighbours[v].size() + 1;
+      std::fill_n(blocks.data() + n * n * first, n * n * count, 0.0);
+    }
     kernels_.jacobian(mesh, range, settings_, numbers(state), blocks.data());
     add_boundary_jacobians(part, state, blocks);
     walls_.constrain_jacobian(part, plan_, blocks);
@@ -213,9 +222,8 @@ void FlowResidual<dim>::add_boundary_jacobians(std::size_t part, const States& s
         const double share = of == c ? facet.own_share : facet.other_share();
         if (share == 0) continue;
         const auto w = static_cast<std::uint32_t>(corners[of].vertex.index());
-        const std::size_t block = of == c ? plan_.diagonal_block(v) : plan_.neighbour_block(v, plan_.slot_to(v, w));
         add_boundary_jacobian(constants(), viscous_constants(), facet.condition, corners[of], state[corners[of].vertex],
-                              share * corners[c].size, blocks.data() + n * n * block);
+                              share * corners[c].size, blocks.data() + n * n * plan_.block_of(v, w));
       }
     }
   }

@@ -8,6 +8,7 @@
 
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/solver/march/march.hpp"
+#include "leonhard/solver/periodic.hpp"
 
 namespace leonhard::solver {
 namespace {
@@ -55,13 +56,11 @@ void check_options(const FlowProblem<dim>& problem, const SteadyOptions& o) {
   check_parts(problem.dual, o);
 }
 
-}  // namespace
-
+/// States, stresses, history and verdict; the rest follows from them.
+/// problem  without periodic sides
 template <int dim>
-SteadyResult<dim> solve_steady(const FlowProblem<dim>& problem, const SteadyOptions& options,
-                               const std::function<void(const Iteration&)>& monitor, std::stop_token stop) {
-  check_problem(problem);
-  check_options(problem, options);
+SteadyResult<dim> march(const FlowProblem<dim>& problem, const SteadyOptions& options,
+                        const std::function<void(const Iteration&)>& monitor, const std::stop_token& stop) {
   const bool implicit = options.marching == Marching::implicit_ptc;
   ConvergenceMonitor book(options, options.settle_window.value_or(implicit ? 40 : 1000),
                           options.max_iterations > 0 ? options.max_iterations : (implicit ? 500 : 50'000),
@@ -73,18 +72,39 @@ SteadyResult<dim> solve_steady(const FlowProblem<dim>& problem, const SteadyOpti
   else
     result.verdict = implicit ? march_implicit(march) : march_explicit(march);
   result.history = book.take_history();
-  result.words = describe(result.verdict, result.history, march.bad_vertex, problem.dual);
   if (result.verdict == Verdict::diverged) result.bad_vertex = march.bad_vertex;
   if (result.verdict != Verdict::diverged && result.verdict != Verdict::converged)
     result.worst = worst_vertices(problem, march.state, march.residual, 10);
-  result.words += describe(result.worst, problem.dual);
   result.state = std::move(march.state);
-  result.stresses = march.stresses;
+  result.stresses = std::move(march.stresses);
+  result.rejected_steps = march.rejected;
+  result.sweep = march.spatial.kernels().name;
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+SteadyResult<dim> solve_steady(const FlowProblem<dim>& problem, const SteadyOptions& options,
+                               const std::function<void(const Iteration&)>& monitor, std::stop_token stop) {
+  check_problem(problem);
+  check_options(problem, options);
+  SteadyResult<dim> result;
+  if (is_periodic(problem.boundary)) {
+    const JoinedProblem<dim> joined = join_periodic(problem);
+    SteadyOptions of_joined = options;
+    of_joined.part_of.clear();
+    if (!options.part_of.empty())
+      for (const VertexId first : joined.first_of) of_joined.part_of.push_back(options.part_of[first.index()]);
+    result = march(joined.problem, of_joined, monitor, stop);
+    spread(problem, joined, result);
+  } else {
+    result = march(problem, options, monitor, stop);
+  }
+  result.words = describe(result.verdict, result.history, result.bad_vertex, problem.dual) + describe(result.worst, problem.dual);
   result.forces_by_marker = wall_forces(problem, result.state, result.stresses);
   result.forces = total(result.forces_by_marker);
   if constexpr (dim == 2) result.surface = surface_lines(problem, result.state, result.stresses);
-  result.rejected_steps = march.rejected;
-  result.sweep = march.spatial.kernels().name;
   return result;
 }
 

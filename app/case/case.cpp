@@ -27,7 +27,8 @@ constexpr std::pair<std::string_view, BoundaryKind> condition_words[] = {
     {"supersonic-outflow", BoundaryKind::supersonic_outflow},
     {"subsonic-inflow", BoundaryKind::subsonic_inflow},
     {"pressure-outflow", BoundaryKind::pressure_outflow},
-    {"symmetry", BoundaryKind::symmetry}};
+    {"symmetry", BoundaryKind::symmetry},
+    {"periodic", BoundaryKind::periodic}};
 constexpr std::pair<std::string_view, ViscosityLaw> viscosity_words[] = {
     {"sutherland", ViscosityLaw::sutherland}, {"constant", ViscosityLaw::constant}};
 constexpr std::pair<std::string_view, TrailingEdge> trailing_edge_words[] = {
@@ -202,6 +203,31 @@ void read_boundary_values(SectionReader& reader, BoundaryCase& boundary, bool li
   }
   if (has(BoundaryKind::pressure_outflow, "pressure-outflow", {"pressure"}))
     boundary.pressure = reader.number("pressure", boundary.pressure, above(0));
+  if (has(BoundaryKind::periodic, "periodic", {"partner", "translation"})) {
+    boundary.partner = reader.text("partner", "", "required");
+    boundary.translation = reader.vector("translation", "found from the mesh");
+    if (boundary.partner.empty() && !listing)
+      throw InputError(reader.where("partner"), fmt::format("boundary.{} is periodic but names no partner", boundary.section),
+                       "give partner = \"NAME\", the section of the opposite side");
+  }
+}
+
+/// Two periodic sides name each other.
+void check_partners(const Case& c) {
+  for (const auto& [name, boundary] : c.boundary) {
+    if (boundary.kind != BoundaryKind::periodic) continue;
+    const auto partner = c.boundary.find(boundary.partner);
+    if (partner == c.boundary.end())
+      throw InputError(boundary.where, fmt::format("there is no boundary.{}, which boundary.{} has as its partner", boundary.partner, name),
+                       "correct the name, or add the section");
+    if (partner->second.kind != BoundaryKind::periodic || partner->second.partner != name || partner->first == name)
+      throw InputError(boundary.where,
+                       fmt::format("boundary.{} has boundary.{} as its partner, but not the other way round", name, boundary.partner),
+                       "make two different sides periodic and each other's partners");
+    if (!boundary.translation.empty() && !partner->second.translation.empty())
+      throw InputError(boundary.where, fmt::format("boundary.{} and its partner both give a translation", name),
+                       "give it for one of them");
+  }
 }
 
 void read_boundaries(SectionReader& top, Case& c, CaseLog& log) {
@@ -209,7 +235,7 @@ void read_boundaries(SectionReader& top, Case& c, CaseLog& log) {
     SectionReader reader(log, table, "boundary.NAME", where);
     reader.show_as("boundary." + name);
     BoundaryCase boundary;
-    boundary.where = where;
+    boundary.where = where, boundary.section = name;
     boundary.kind =
         reader.choice("kind", std::optional<BoundaryKind>(), SectionReader::Words<BoundaryKind>(condition_words));
     boundary.name = reader.text("name", name, "NAME");
@@ -228,6 +254,7 @@ void read_boundaries(SectionReader& top, Case& c, CaseLog& log) {
     read_boundary_values(reader, boundary, log.listing);
     c.boundary.emplace(name, boundary);
   }
+  if (!log.listing) check_partners(c);
   if (!c.bodies.empty() && !log.listing) complete_boundaries(c, log);
 }
 
@@ -389,7 +416,7 @@ void require_dimension(const Case& c, int dimension) {
                        "remove it");
     const bool is_vector = entry.key == "reference.moment_centre" ||
                            (entry.key.starts_with("boundary.") &&
-                            (key_of(entry.key) == "velocity" || key_of(entry.key) == "direction"));
+                            (key_of(entry.key) == "velocity" || key_of(entry.key) == "direction" || key_of(entry.key) == "translation"));
     if (is_vector && std::ranges::count(entry.value, ',') + 1 != dimension)
       throw InputError(entry.where, fmt::format("{} = {} in a flow of {}", entry.key, entry.value, dimension == 2 ? "the plane" : "space"),
                        fmt::format("give {} numbers", dimension));

@@ -73,6 +73,9 @@ struct BoundaryCase {
   double total_pressure = 1, total_temperature = 1;            ///< subsonic_inflow
   std::vector<double> direction{};                             ///< subsonic_inflow; empty: normal to the boundary
   double pressure = 1;                                         ///< pressure_outflow
+  std::string partner{};              ///< periodic: the other side's NAME
+  std::string section{};              ///< NAME
+  std::vector<double> translation{};  ///< periodic: from this side to its partner; empty: found from the mesh
 };
 
 struct ReferenceCase {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/solve/problem.hpp"
 
+#include <fmt/core.h>
+
 #include <numbers>
 #include <utility>
 
+#include "leonhard/app/console.hpp"
 #include "leonhard/app/solve/initial_field.hpp"
+#include "leonhard/solver/periodic.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -21,8 +25,15 @@ typename Simplex<dim>::Vector vector_of(const std::vector<double>& numbers) {
     return {numbers[0], numbers[1], numbers[2]};
 }
 
+/// The marker that a section of the case file is about.
+Marker marker_of(const std::map<Marker, BoundaryCase>& conditions, const std::string& section) {
+  for (const auto& [marker, boundary] : conditions)
+    if (boundary.section == section) return marker;
+  return {};
+}
+
 template <int dim>
-BoundaryCondition<dim> condition_of(const BoundaryCase& boundary, double mach) {
+BoundaryCondition<dim> condition_of(const BoundaryCase& boundary, double mach, const std::map<Marker, BoundaryCase>& all) {
   BoundaryCondition<dim> condition(boundary.kind);
   condition.total_pressure = boundary.total_pressure;
   condition.total_temperature = boundary.total_temperature;
@@ -30,6 +41,8 @@ BoundaryCondition<dim> condition_of(const BoundaryCase& boundary, double mach) {
   condition.pressure = boundary.pressure;
   condition.temperature = boundary.temperature;
   if (!boundary.velocity.empty()) condition.wall_velocity = mach * vector_of<dim>(boundary.velocity);
+  if (boundary.kind == BoundaryKind::periodic) condition.partner = marker_of(all, boundary.partner);
+  if (!boundary.translation.empty()) condition.translation = vector_of<dim>(boundary.translation);
   return condition;
 }
 
@@ -52,11 +65,22 @@ FlowProblem<dim> problem_of(const Case& c, const std::map<Marker, BoundaryCase>&
                          .prandtl = flow.prandtl,
                          .sutherland = flow.viscosity == ViscosityLaw::constant ? -1 : sutherland_kelvin / flow.temperature};
   for (const auto& [marker, boundary] : conditions) {
-    problem.boundary[marker] = condition_of<dim>(boundary, flow.mach);
+    problem.boundary[marker] = condition_of<dim>(boundary, flow.mach, conditions);
     problem.dual.marker_names[marker] = boundary.name;
   }
   if (!c.initial.field.empty()) problem.initial = initial_states<dim>(c.initial.field, problem.dual.points);
   return problem;
+}
+
+template <int dim>
+std::string match_periodic(const Case& c, const std::map<Marker, BoundaryCase>& conditions, const MeshDual<dim>& dual) {
+  std::map<Marker, BoundaryCondition<dim>> boundary;
+  for (const auto& [marker, condition] : conditions) boundary[marker] = condition_of<dim>(condition, c.flow.mach, conditions);
+  std::string words;
+  for (const PeriodicMatch<dim>& match : solver::match_periodic(dual, boundary))
+    words += fmt::format("; {} and {} match, {} pairs of vertices within {:.1g}", conditions.at(match.from).name,
+                         conditions.at(match.to).name, grouped(match.pairs.size()), match.mismatch);
+  return words;
 }
 
 SteadyOptions options_of(const Case& c, int threads) {
@@ -79,6 +103,8 @@ SteadyOptions options_of(const Case& c, int threads) {
   return options;
 }
 
+template std::string match_periodic(const Case&, const std::map<Marker, BoundaryCase>&, const MeshDual<2>&);
+template std::string match_periodic(const Case&, const std::map<Marker, BoundaryCase>&, const MeshDual<3>&);
 template FlowProblem<2> problem_of(const Case&, const std::map<Marker, BoundaryCase>&, MeshDual<2>);
 template FlowProblem<3> problem_of(const Case&, const std::map<Marker, BoundaryCase>&, MeshDual<3>);
 

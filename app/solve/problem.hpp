@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 
 #include "leonhard/app/case/case.hpp"
 #include "leonhard/solver/problem.hpp"
@@ -17,6 +18,13 @@ namespace leonhard::app {
 template <int dim>
 [[nodiscard]] FlowProblem<dim> problem_of(const Case&, const std::map<Marker, BoundaryCase>& conditions,
                                           MeshDual<dim> dual);
+
+/// Whether the periodic sides of a case match on its mesh, in words; "" where there are none.
+///
+/// dual    of the whole mesh, in the numbering of its file
+/// throws  InputError as solver::match_periodic
+template <int dim>
+[[nodiscard]] std::string match_periodic(const Case&, const std::map<Marker, BoundaryCase>& conditions, const MeshDual<dim>& dual);
 
 /// How the case marches. Parts are left to the solver.
 [[nodiscard]] SteadyOptions options_of(const Case&, int threads);

@@ -76,7 +76,7 @@ struct SolveRun : FlowRun<2> {
   std::optional<delaunay::RefineReport> refinement;  ///< likewise
 
   TriangleMesh mesh;  ///< in the numbering of the solver; quadrilaterals of a file cut in two
-  std::optional<MeshDual<2>> dual;  ///< where the file has quadrilaterals, which the solver takes whole: likewise
+  std::optional<MeshDual<2>> dual;  ///< where the file has quadrilaterals, which the solver takes whole, or sides are periodic: likewise
   EdgeStructure edges;
 
   EulerAccount euler;

@@ -93,7 +93,7 @@ std::string step_account(SpaceRun& run) {
   }
   if (run.quality)
     told += fmt::format("; dihedral angles {:.1f}° to {:.1f}°", run.quality->min_dihedral_deg, run.quality->max_dihedral_deg);
-  return told;
+  return told + match_periodic(run.the_case, run.conditions, *run.dual);
 }
 
 std::string step_order(SpaceRun& run) {

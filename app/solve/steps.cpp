@@ -19,6 +19,7 @@
 #include "leonhard/mesh/io/mixed_mesh_file.hpp"
 #include "leonhard/mesh/permute.hpp"
 #include "leonhard/mesh/split_cells.hpp"
+#include "leonhard/solver/periodic.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -120,8 +121,14 @@ std::string step_account(SolveRun& run) {
   run.quality = mesh::quality(run.mesh);
   run.fingerprint = mesh::fingerprint(run.mesh);
   if (run.geometry) run.area = area_account(run);
-  return fmt::format("Euler's account balances; angles {:.1f}° to {:.1f}°; fingerprint {}",
-                     run.quality.min_angle_deg, run.quality.max_angle_deg, run.fingerprint.hex());
+  std::string periodic;
+  if (solver::is_periodic(run.conditions)) {
+    if (!run.dual) run.dual = mesh::build_dual(run.mesh);
+    run.dual->marker_names = run.mesh.marker_names;
+    periodic = match_periodic(run.the_case, run.conditions, *run.dual);
+  }
+  return fmt::format("Euler's account balances; angles {:.1f}° to {:.1f}°; fingerprint {}{}",
+                     run.quality.min_angle_deg, run.quality.max_angle_deg, run.fingerprint.hex(), periodic);
 }
 
 std::string step_order(SolveRun& run) {

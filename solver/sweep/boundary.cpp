@@ -86,6 +86,7 @@ Components<dim, T> flux_out(const BoundaryConstants& k, const BoundaryCondition<
     case BoundaryKind::slip_wall:
     case BoundaryKind::no_slip_wall:
     case BoundaryKind::symmetry:
+    case BoundaryKind::periodic:  // never comes here: joined sides are no boundary
       break;
     case BoundaryKind::far_field:
       return flux_roe({k.gas.gamma, k.entropy_fix, k.free_stream.mach}, w, primitive<dim, T>(corner.outer), n);

@@ -14,6 +14,41 @@ namespace {
 
 constexpr std::size_t lanes = 4;
 
+/// The way to the other end of an edge.
+template <int dim>
+struct Link {
+  std::uint32_t to;
+  Axes<dim> way;
+};
+
+/// The ends of all edges about each vertex, ascending; an edge from a vertex to itself counts twice, once each way.
+template <int dim>
+CompressedRows<Link<dim>> links_of(const MeshDual<dim>& dual) {
+  auto links = collect_rows<Link<dim>>(dual.vertex_count(), [&](const auto& add) {
+    for (const EdgeId e : dual.edges.ends.ids()) {
+      const auto [a, b] = dual.edges.ends[e];
+      add(a.index(), Link<dim>{static_cast<std::uint32_t>(b.index()), axes(dual.edge_vector(e))});
+      add(b.index(), Link<dim>{static_cast<std::uint32_t>(a.index()), axes(-dual.edge_vector(e))});
+    }
+  });
+  for (std::size_t v = 0; v < links.size(); ++v) std::ranges::stable_sort(links[v], {}, &Link<dim>::to);
+  return links;
+}
+
+/// Rows of a joined dual: neighbours once each, and the stencil with every link.
+template <int dim>
+void list_joined(const CompressedRows<Link<dim>>& links, EdgePlan<dim>& plan) {
+  plan.repeats_edges = true;
+  for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
+    const auto row = links[v];
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      plan.stencil.add_link(row[i].to);
+      if (row[i].to != v && (i == 0 || row[i].to != row[i - 1].to)) plan.neighbours.add_link(row[i].to);
+    }
+    plan.stencil.end_row(), plan.neighbours.end_row();
+  }
+}
+
 template <int dim>
 void list_neighbours(const EdgeList& edges, EdgePlan<dim>& plan) {
   plan.neighbours = collect_rows<std::uint32_t>(plan.vertex_count, [&](const auto& add) {
@@ -22,10 +57,14 @@ void list_neighbours(const EdgeList& edges, EdgePlan<dim>& plan) {
       add(b.index(), static_cast<std::uint32_t>(a.index()));
     }
   });
+  for (std::uint32_t v = 0; v < plan.vertex_count; ++v) std::ranges::sort(plan.neighbours[v]);
+}
+
+template <int dim>
+void find_diagonals(EdgePlan<dim>& plan) {
   plan.diagonal.resize(plan.vertex_count);
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
     const auto row = plan.neighbours[v];
-    std::ranges::sort(row);
     plan.diagonal[v] = plan.neighbours.offsets()[v] + v +
                        static_cast<std::uint32_t>(std::ranges::lower_bound(row, v) - row.begin());
   }
@@ -48,24 +87,47 @@ Matrix<dim> pseudo_inverse(const Matrix<dim>& m) {
 }
 
 /// Least-squares weights of one vertex: rows of the pseudo-inverse of the matrix of weighted edge vectors.
+/// slots   of the vertex, one an edge
+/// way     way(i): from the vertex along edge i
 template <int dim>
-void fit_gradient(const MeshDual<dim>& dual, EdgePlan<dim>& plan, std::uint32_t v) {
-  const auto here = dual.points[VertexId::from(v)];
-  const std::uint32_t first = plan.neighbours.offsets()[v], last = plan.neighbours.offsets()[v + 1];
-  const auto edge_vector = [&](std::uint32_t i) {
-    const Axes<dim> d = axes(dual.points[VertexId::from(plan.neighbours.links()[i])] - here);
+void fit_gradient(std::span<StencilSlot<dim>> slots, const auto& way) {
+  const auto column = [&](std::size_t i) {
+    const Axes<dim> d = way(i);
     return Column<dim>(d.data());
   };
   Matrix<dim> sum = Matrix<dim>::Zero();
-  for (std::uint32_t i = first; i < last; ++i) {
-    const Column<dim> d = edge_vector(i);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Column<dim> d = column(i);
     sum += d * d.transpose() / d.squaredNorm();
   }
   const Matrix<dim> inverse = pseudo_inverse<dim>(sum);
-  for (std::uint32_t i = first; i < last; ++i) {
-    const Column<dim> d = edge_vector(i), weight = inverse * d / d.squaredNorm();
-    for (int j = 0; j < dim; ++j) plan.slot[i].half[j] = 0.5 * d[j], plan.slot[i].weight[j] = weight[j];
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Column<dim> d = column(i), weight = inverse * d / d.squaredNorm();
+    for (int j = 0; j < dim; ++j) slots[i].half[j] = 0.5 * d[j], slots[i].weight[j] = weight[j];
   }
+}
+
+/// Rows and gradients of a dual as it comes from a mesh.
+template <int dim>
+void list_stencils(const MeshDual<dim>& dual, EdgePlan<dim>& plan) {
+  list_neighbours(dual.edges, plan);
+  plan.slot.resize(plan.neighbours.link_count());
+  for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
+    const auto here = dual.points[VertexId::from(v)];
+    const auto row = plan.neighbours[v];
+    fit_gradient<dim>({plan.slot.data() + plan.neighbours.offsets()[v], row.size()},
+                      [&](std::size_t i) { return axes(dual.points[VertexId::from(row[i])] - here); });
+  }
+}
+
+/// And of a joined one.
+template <int dim>
+void list_joined_stencils(const MeshDual<dim>& dual, EdgePlan<dim>& plan) {
+  const CompressedRows<Link<dim>> links = links_of(dual);
+  list_joined(links, plan);
+  plan.slot.resize(links.link_count());
+  for (std::uint32_t v = 0; v < plan.vertex_count; ++v)
+    fit_gradient<dim>({plan.slot.data() + links.offsets()[v], links[v].size()}, [&](std::size_t i) { return links[v][i].way; });
 }
 
 template <int dim>
@@ -103,14 +165,14 @@ class PartEdges {
     if (plan_.part_of[a] == part) {
       ends.into_a = a;
       ends.block_aa = plan_.diagonal_block(a);
-      ends.block_ab = plan_.neighbour_block(a, plan_.slot_to(a, b));
+      ends.block_ab = static_cast<std::uint32_t>(plan_.block_of(a, b));
     }
     if (plan_.part_of[b] == part) {
       ends.into_b = b;
       ends.block_bb = plan_.diagonal_block(b);
-      ends.block_ba = plan_.neighbour_block(b, plan_.slot_to(b, a));
+      ends.block_ba = static_cast<std::uint32_t>(plan_.block_of(b, a));
     }
-    const Axes<dim> normal = axes(dual_.face[edge]), d = axes(dual_.points[to] - dual_.points[from]);
+    const Axes<dim> normal = axes(dual_.face[edge]), d = axes(dual_.edge_vector(edge));
     push(ends, normal, d);
   }
 
@@ -155,6 +217,7 @@ void list_edges(const MeshDual<dim>& dual, EdgePlan<dim>& plan) {
   std::vector<std::vector<EdgeId>> of_part(plan.parts.size());
   for (const EdgeId edge : edge_ends.ids()) {
     const auto [a, b] = edge_ends[edge];
+    if (a == b) continue;  // what leaves a vertex through such a face comes in through it
     of_part[part_of[a.index()]].push_back(edge);
     if (part_of[a.index()] != part_of[b.index()]) of_part[part_of[b.index()]].push_back(edge);
   }
@@ -191,8 +254,9 @@ std::uint32_t EdgePlan<dim>::slot_to(std::uint32_t v, std::uint32_t other) const
 
 template <int dim>
 SweepMesh<dim> EdgePlan<dim>::view() const {
-  return {neighbours.offsets().data(),
-          neighbours.links().data(),
+  const CompressedRows<std::uint32_t>& rows = stencil.empty() ? neighbours : stencil;
+  return {rows.offsets().data(),
+          rows.links().data(),
           slot.data(),
           part_vertices.data(),
           ends.data(),
@@ -204,9 +268,11 @@ EdgePlan<dim> make_edge_plan(const MeshDual<dim>& dual, std::span<const std::uin
   EdgePlan<dim> plan;
   plan.vertex_count = dual.vertex_count();
   plan.volume = dual.volume.flat();
-  list_neighbours(dual.edges, plan);
-  plan.slot.resize(plan.neighbours.link_count());
-  for (std::uint32_t v = 0; v < plan.vertex_count; ++v) fit_gradient(dual, plan, v);
+  if (dual.span.empty())
+    list_stencils(dual, plan);
+  else
+    list_joined_stencils(dual, plan);
+  find_diagonals(plan);
   if (part_of.empty()) {
     choose_parts(dual, plan);
   } else {

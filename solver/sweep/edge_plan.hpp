@@ -25,7 +25,10 @@ struct EdgePlan {
   std::vector<double> volume;  ///< of each control volume
   CompressedRows<std::uint32_t>
       neighbours;                 ///< row v: neighbours of v, ascending. A slot is a place among all links
-  std::vector<StencilSlot<dim>> slot;  ///< one a neighbour
+  /// Of joined duals (MeshDual::span), row v: the other end of each edge of v, so that neighbours may come twice and v itself too;
+  /// empty: as neighbours.
+  CompressedRows<std::uint32_t> stencil;
+  std::vector<StencilSlot<dim>> slot;  ///< one a link of the stencil
   std::vector<std::uint32_t> diagonal;  ///< one a vertex: see diagonal_block
 
   std::vector<PartRange> parts;
@@ -34,6 +37,7 @@ struct EdgePlan {
   std::vector<EdgeEnds> ends;                ///< padded to whole batches with edges of size 0
   std::vector<EdgeMetric<dim>> metric;       ///< one a batch
   std::vector<std::uint32_t> part_boundary;  ///< entries of dual.boundary that touch the part
+  bool repeats_edges = false;                ///< two vertices may have more than one edge
 
   [[nodiscard]] SweepMesh<dim> view() const;
   /// Vertices plus one line of rubbish a part, for what an edge would add to a vertex of another part.
@@ -46,6 +50,10 @@ struct EdgePlan {
   }
   /// The slot of a neighbour of v. Cost O(log degree).
   [[nodiscard]] std::uint32_t slot_to(std::uint32_t v, std::uint32_t other) const;
+  /// The block of row v in the column of w, v itself or a neighbour. Cost O(log degree).
+  [[nodiscard]] std::size_t block_of(std::uint32_t v, std::uint32_t w) const {
+    return v == w ? diagonal_block(v) : neighbour_block(v, slot_to(v, w));
+  }
   [[nodiscard]] std::size_t block_count() const { return neighbours.link_count() + vertex_count; }
 };
 

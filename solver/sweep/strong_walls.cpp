@@ -15,9 +15,10 @@ double energy_at(double gamma, const Axes<dim>& velocity, double temperature) {
   return temperature / (gamma * (gamma - 1)) + 0.5 * dot(velocity, velocity);
 }
 
-/// The vertices with their walls' values, and a part of the area for each marker.
+}  // namespace
+
 template <int dim>
-std::vector<StrongVertex<dim>> find_vertices(const FlowProblem<dim>& problem) {
+std::vector<StrongVertex<dim>> strong_vertices(const FlowProblem<dim>& problem) {
   std::map<VertexId, StrongVertex<dim>> found;
   std::map<VertexId, double> temperature;
   for (const DualFacet<dim>& facet : problem.dual.boundary) {
@@ -45,11 +46,9 @@ std::vector<StrongVertex<dim>> find_vertices(const FlowProblem<dim>& problem) {
   return vertices;
 }
 
-}  // namespace
-
 template <int dim>
 StrongWalls<dim>::StrongWalls(const FlowProblem<dim>& problem, const EdgePlan<dim>& plan)
-    : gamma_(problem.gas.gamma), vertices_(find_vertices(problem)), of_part_(plan.parts.size()) {
+    : gamma_(problem.gas.gamma), vertices_(strong_vertices(problem)), of_part_(plan.parts.size()) {
   if (vertices_.empty()) return;
   std::vector<double> surface(plan.vertex_count, 0.0);
   for (const EdgeId e : problem.dual.edges.ends.ids())
@@ -117,6 +116,8 @@ void StrongWalls<dim>::constrain_jacobian(std::size_t part, const EdgePlan<dim>&
   }
 }
 
+template std::vector<StrongVertex<2>> strong_vertices(const FlowProblem<2>&);
+template std::vector<StrongVertex<3>> strong_vertices(const FlowProblem<3>&);
 template class StrongWalls<2>;
 template class StrongWalls<3>;
 

@@ -27,6 +27,10 @@ struct StrongVertex {
   std::map<Marker, double> share_of{};  ///< its parts by marker, which add up to 1
 };
 
+/// The vertices on no-slip walls with their walls' values, and a part of the area for each marker; in the order of their numbers.
+template <int dim>
+[[nodiscard]] std::vector<StrongVertex<dim>> strong_vertices(const FlowProblem<dim>& problem);
+
 /// On no-slip walls the velocity, and the temperature where it is given, are held strongly: the momentum equations of a vertex
 /// are replaced by m - rho V_wall = 0, scaled by the control volume's surface, and what they would have said is the force of
 /// friction on the wall, as exact as the scheme's momentum balance (P. M. Gresho, R. L. Lee and R. L. Sani, Numerical Methods in

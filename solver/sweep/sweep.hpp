@@ -63,6 +63,7 @@ struct SweepSettings {
   double viscosity = 0;                    ///< at the free stream's temperature; 0: inviscid
   double sutherland = -1;                  ///< see Viscosity
   double inverse_prandtl = 1;
+  bool repeats_edges = false;  ///< two vertices may have several edges: the Jacobian adds to all blocks
 };
 
 /// One build of the loops. States: n = dim + 2 doubles a vertex (rho, velocity, p); gradients: dim rows of n, d/dx of all, then
@@ -82,7 +83,8 @@ struct SweepKernels {
   /// Add (|Vn| + c) times size of the part's edges, and what diffusion adds, to `sum`, one a line.
   void (*wave_speeds)(const SweepMesh<dim>&, const PartRange&, const SweepSettings&, const double* state,
                       double* sum);
-  /// Add to diagonal blocks and set the others of the first-order Jacobian; blocks of n x n, column by column.
+  /// Add to diagonal blocks and set the others (repeats_edges: add to them too) of the first-order Jacobian; blocks of n x n,
+  /// column by column.
   void (*jacobian)(const SweepMesh<dim>&, const PartRange&, const SweepSettings&, const double* state,
                    double* blocks);
 };

@@ -334,7 +334,7 @@ template <int dim>
 
 template <int dim>
 [[gnu::always_inline]] inline void scatter_blocks(const Block<dim, Lanes>& by_a, const Block<dim, Lanes>& by_b,
-                                                  const Lanes& size, const EdgeEnds* ends, double* blocks) {
+                                                  const Lanes& size, const EdgeEnds* ends, bool repeats, double* blocks) {
   constexpr int n = dim + 2;
   using Column = Row<n>;
   Column edge_a[4][n], edge_b[4][n];
@@ -349,9 +349,9 @@ template <int dim>
     double* ba = block_at(ends[i].block_ba);
     for (int j = 0; j < n; ++j) {
       (Column::load(aa + n * j) + edge_a[i][j]).store(aa + n * j);
-      edge_b[i][j].store(ab + n * j);
+      (repeats ? Column::load(ab + n * j) + edge_b[i][j] : edge_b[i][j]).store(ab + n * j);
       (Column::load(bb + n * j) - edge_b[i][j]).store(bb + n * j);
-      (-1.0 * edge_a[i][j]).store(ba + n * j);
+      (repeats ? Column::load(ba + n * j) - edge_a[i][j] : -1.0 * edge_a[i][j]).store(ba + n * j);
     }
   }
 }
@@ -370,7 +370,7 @@ void jacobian_loop(const SweepMesh<dim>& mesh, const PartRange& part, const Swee
     Block<dim, Lanes> by_a, by_b;
     flux_jacobians<kind>(constants, a, b, n, by_a, by_b);
     if constexpr (viscous) add_viscous_jacobians(viscous_constants, a, b, n, normal_distance(edge_of(m), n), by_a, by_b);
-    scatter_blocks<dim>(by_a, by_b, load(m.size), ends, blocks);
+    scatter_blocks<dim>(by_a, by_b, load(m.size), ends, settings.repeats_edges, blocks);
   }
 }
 
