@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/solver/sweep/edge_plan.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/solver/support/axes.hpp"
+#include "leonhard/solver/sweep/pseudo_inverse.hpp"
 
 namespace leonhard::solver {
 namespace {
@@ -70,40 +70,23 @@ void find_diagonals(EdgePlan<dim>& plan) {
   }
 }
 
-template <int dim>
-using Matrix = Eigen::Matrix<double, dim, dim>;
-template <int dim>
-using Column = Eigen::Matrix<double, dim, 1>;
-
-/// The inverse of a symmetric matrix that is not negative; where it is singular, the inverse on its range.
-template <int dim>
-Matrix<dim> pseudo_inverse(const Matrix<dim>& m) {
-  const double trace = m.trace(), scale = dim == 2 ? trace * trace : trace * trace * trace;
-  if (m.determinant() > 1e-24 * scale) return m.inverse();
-  const Eigen::SelfAdjointEigenSolver<Matrix<dim>> parts(m);
-  Column<dim> inverse = parts.eigenvalues();
-  for (double& value : inverse) value = value > 1e-12 * trace ? 1 / value : 0;
-  return parts.eigenvectors() * inverse.asDiagonal() * parts.eigenvectors().transpose();
-}
-
 /// Least-squares weights of one vertex: rows of the pseudo-inverse of the matrix of weighted edge vectors.
 /// slots   of the vertex, one an edge
 /// way     way(i): from the vertex along edge i
 template <int dim>
 void fit_gradient(std::span<StencilSlot<dim>> slots, const auto& way) {
-  const auto column = [&](std::size_t i) {
+  SymmetricMatrix<dim> sum{};
+  for (std::size_t i = 0; i < slots.size(); ++i) {
     const Axes<dim> d = way(i);
-    return Column<dim>(d.data());
-  };
-  Matrix<dim> sum = Matrix<dim>::Zero();
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const Column<dim> d = column(i);
-    sum += d * d.transpose() / d.squaredNorm();
+    const double square = dot<dim>(d, d);
+    for (std::size_t j = 0; j < dim; ++j)
+      for (std::size_t k = 0; k < dim; ++k) sum[j][k] += d[j] * d[k] / square;
   }
-  const Matrix<dim> inverse = pseudo_inverse<dim>(sum);
+  const SymmetricMatrix<dim> inverse = pseudo_inverse<dim>(sum);
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    const Column<dim> d = column(i), weight = inverse * d / d.squaredNorm();
-    for (int j = 0; j < dim; ++j) slots[i].half[j] = 0.5 * d[j], slots[i].weight[j] = weight[j];
+    const Axes<dim> d = way(i);
+    const double square = dot<dim>(d, d);
+    for (std::size_t j = 0; j < dim; ++j) slots[i].half[j] = 0.5 * d[j], slots[i].weight[j] = dot<dim>(inverse[j], d) / square;
   }
 }
 

@@ -332,9 +332,10 @@ template <int dim>
   }
 }
 
+/// Add the blocks of four faces, times their sizes, to the diagonal ones of their ends; the others are added too, or set.
 template <int dim>
 [[gnu::always_inline]] inline void scatter_blocks(const Block<dim, Lanes>& by_a, const Block<dim, Lanes>& by_b,
-                                                  const Lanes& size, const EdgeEnds* ends, bool repeats, double* blocks) {
+                                                  const Lanes& size, const EdgeEnds* ends, bool add, double* blocks) {
   constexpr int n = dim + 2;
   using Column = Row<n>;
   Column edge_a[4][n], edge_b[4][n];
@@ -349,28 +350,41 @@ template <int dim>
     double* ba = block_at(ends[i].block_ba);
     for (int j = 0; j < n; ++j) {
       (Column::load(aa + n * j) + edge_a[i][j]).store(aa + n * j);
-      (repeats ? Column::load(ab + n * j) + edge_b[i][j] : edge_b[i][j]).store(ab + n * j);
+      (add ? Column::load(ab + n * j) + edge_b[i][j] : edge_b[i][j]).store(ab + n * j);
       (Column::load(bb + n * j) - edge_b[i][j]).store(bb + n * j);
-      (repeats ? Column::load(ba + n * j) - edge_a[i][j] : -1.0 * edge_a[i][j]).store(ba + n * j);
+      (add ? Column::load(ba + n * j) - edge_a[i][j] : -1.0 * edge_a[i][j]).store(ba + n * j);
     }
   }
 }
 
-template <int dim, FluxKind kind, bool viscous>
-void jacobian_loop(const SweepMesh<dim>& mesh, const PartRange& part, const SweepSettings& settings,
-                   const double* state, double* blocks) {
+template <int dim, FluxKind kind>
+void flux_jacobian_loop(const SweepMesh<dim>& mesh, const PartRange& part, const SweepSettings& settings,
+                        const double* state, double* blocks) {
   const FluxConstants constants = constants_of(settings);
-  const ViscousConstants viscous_constants = viscous_constants_of(settings);
+  for (std::uint32_t e = part.edge_begin; e < part.edge_end; e += 4) {
+    const EdgeEnds* ends = mesh.ends + e;
+    const EdgeMetric<dim>& m = mesh.metric[e / 4];
+    const Batch v = batch_of(ends);
+    const Primitive<dim, Lanes> a = gather<dim>(state, v.a), b = gather<dim>(state, v.b);
+    Block<dim, Lanes> by_a, by_b;
+    flux_jacobians<kind>(constants, a, b, normal_of(m), by_a, by_b);
+    scatter_blocks<dim>(by_a, by_b, load(m.size), ends, settings.repeats_edges, blocks);
+  }
+}
+
+template <int dim>
+void add_viscous_jacobian(const SweepMesh<dim>& mesh, const PartRange& part, const SweepSettings& settings,
+                          const double* state, double* blocks) {
+  const ViscousConstants constants = viscous_constants_of(settings);
   for (std::uint32_t e = part.edge_begin; e < part.edge_end; e += 4) {
     const EdgeEnds* ends = mesh.ends + e;
     const EdgeMetric<dim>& m = mesh.metric[e / 4];
     const Batch v = batch_of(ends);
     const Primitive<dim, Lanes> a = gather<dim>(state, v.a), b = gather<dim>(state, v.b);
     const Vector<dim, Lanes> n = normal_of(m);
-    Block<dim, Lanes> by_a, by_b;
-    flux_jacobians<kind>(constants, a, b, n, by_a, by_b);
-    if constexpr (viscous) add_viscous_jacobians(viscous_constants, a, b, n, normal_distance(edge_of(m), n), by_a, by_b);
-    scatter_blocks<dim>(by_a, by_b, load(m.size), ends, settings.repeats_edges, blocks);
+    Block<dim, Lanes> by_a{}, by_b{};
+    add_viscous_jacobians(constants, a, b, n, normal_distance(edge_of(m), n), by_a, by_b);
+    scatter_blocks<dim>(by_a, by_b, load(m.size), ends, true, blocks);
   }
 }
 
@@ -378,11 +392,9 @@ template <int dim>
 void jacobian(const SweepMesh<dim>& mesh, const PartRange& part, const SweepSettings& settings,
               const double* state, double* blocks) {
   with_jacobian(settings.flux, [&]<FluxKind kind>() {
-    if (settings.viscosity > 0)
-      jacobian_loop<dim, kind, true>(mesh, part, settings, state, blocks);
-    else
-      jacobian_loop<dim, kind, false>(mesh, part, settings, state, blocks);
+    flux_jacobian_loop<dim, kind>(mesh, part, settings, state, blocks);
   });
+  if (settings.viscosity > 0) add_viscous_jacobian<dim>(mesh, part, settings, state, blocks);
 }
 
 template <int dim>
