@@ -16,6 +16,9 @@ endforeach()
 function(leonhard_flags target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # it looks for unused memory less often: a tenth of the time to compile, up to 600 MB a file
+    target_compile_options(${target} PRIVATE --param=ggc-min-expand=400 --param=ggc-min-heapsize=1000000)
+  endif()
   if(LEONHARD_STRICT)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers -Werror)
     target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
@@ -40,6 +43,28 @@ function(leonhard_flags target)
   if(LEONHARD_FUZZ)  # libFuzzer sees which branches of the libraries an input takes
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
+endfunction()
+
+# What the rooms and the program read of the standard library, compiled once for all of them: a seventh of the time to compile the
+# release preset. Sources whose options do not agree with it read it themselves; so does all with
+# CMAKE_DISABLE_PRECOMPILE_HEADERS, which shows that each source includes what it uses.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/standard_headers.cpp CONTENT "")
+add_library(leonhard_standard_headers OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/standard_headers.cpp)
+leonhard_flags(leonhard_standard_headers)
+set_target_properties(leonhard_standard_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_precompile_headers(leonhard_standard_headers PRIVATE <algorithm> <array> <bit> <charconv> <cmath> <compare> <cstddef> <cstdint>
+  <filesystem> <functional> <iterator> <limits> <map> <memory> <numbers> <numeric> <optional> <set> <span> <stdexcept>
+  <stop_token> <string> <string_view> <tuple> <type_traits> <utility> <variant> <vector>)
+function(leonhard_precompiled target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_precompile_headers(${target} REUSE_FROM leonhard_standard_headers)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_source_file_property(options ${source} TARGET_DIRECTORY ${target} COMPILE_OPTIONS)
+    if(options MATCHES "-m|-O0")
+      set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
 endfunction()
 
 # leonhard_unity(TARGET): compile the sources of a folder as one, eight at most, sixteen in release builds, which are made
@@ -111,7 +136,8 @@ function(leonhard_room name)
   endif()
   set_property(GLOBAL APPEND PROPERTY LEONHARD_COMPONENTS ${name})
   # At the end of the room's folder, when all its sources are known.
-  cmake_language(EVAL CODE "cmake_language(DEFER CALL leonhard_unity leonhard_${name} SEPARATE ${ROOM_SEPARATE})")
+  cmake_language(EVAL CODE "cmake_language(DEFER CALL leonhard_unity leonhard_${name} SEPARATE ${ROOM_SEPARATE})
+    cmake_language(DEFER CALL leonhard_precompiled leonhard_${name})")
 endfunction()
 
 # leonhard_needs(NAME COMPONENTS ... PACKAGES ... LINKED_PACKAGES ... LINKED_MODULES ...): what users of an installed room have to
