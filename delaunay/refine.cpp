@@ -56,11 +56,12 @@ void refuse(const Pslg& pslg, TriangulateOutcome outcome) {
 
 RefinedMesh mesh_pslg(const Pslg& pslg, const RefineOptions& options) {
   check_options(options);
+  RefinedMesh result;
   Domain domain =
-      make_domain(pslg, options.keep_convex_hull, Algorithm::fast, {.progress = options.progress});
+      make_domain(pslg, options.keep_convex_hull, options.crossings, Algorithm::fast, {.progress = options.progress});
+  if (domain.arrangement) result.crossings = domain.arrangement->crossings;
   refuse(pslg, domain.outcome);
   check_range(pslg);
-  RefinedMesh result;
   result.report.repairs = std::move(domain.repairs);
   result.vertex_of_input.resize(pslg.points.size());
   if (domain.outcome == TriangulateOutcome::stopped) {

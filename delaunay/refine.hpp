@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "leonhard/delaunay/crossings.hpp"
 #include "leonhard/delaunay/input_segments.hpp"
 #include "leonhard/delaunay/refine_options.hpp"
 #include "leonhard/mesh/id.hpp"
@@ -18,6 +19,7 @@ struct [[nodiscard]] RefinedMesh {
   /// As in Triangulation. A split point that is no pair of doubles is rounded, and its edges are beside their segment then:
   /// exactly on it where report.rounded_splits is 0.
   InputSegments segments;
+  std::vector<Crossing> crossings;  ///< that became points (Crossings::split), by input segments
 };
 
 /// A quality mesh of the domain that a planar straight-line graph bounds: constrained Delaunay triangulation,

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "leonhard/delaunay/crossings.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/progress.hpp"
 
@@ -25,6 +26,7 @@ struct RefineOptions {
   double min_edge = 0;                    ///< add no vertex closer than this to another one
   /// Keep the convex hull although no segment bounds it (its edges then act as segments).
   bool keep_convex_hull = false;
+  Crossings crossings = Crossings::reject;
   Progress progress{};
 };
 

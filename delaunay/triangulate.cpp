@@ -40,11 +40,12 @@ Triangulation triangulate_points(Pslg pslg, const TriangulateOptions& options) {
 }
 
 Triangulation triangulate_graph(const Pslg& pslg, const TriangulateOptions& options) {
-  Domain domain = make_domain(pslg, options.keep_convex_hull, options.algorithm, algorithm_options(options));
+  Domain domain = make_domain(pslg, options.keep_convex_hull, options.crossings, options.algorithm, algorithm_options(options));
   Triangulation result;
   result.outcome = domain.outcome;
   result.vertex_of_input.resize(pslg.points.size());
   result.repairs = std::move(domain.repairs);
+  if (domain.arrangement) result.crossings = domain.arrangement->crossings;
   if (result.outcome == TriangulateOutcome::done)
     result.mesh = to_mesh(domain, pslg, result.vertex_of_input, result.segments);
   return result;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "leonhard/delaunay/algorithm.hpp"
+#include "leonhard/delaunay/crossings.hpp"
 #include "leonhard/delaunay/input_segments.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/kernel/progress.hpp"
@@ -20,6 +21,7 @@ struct TriangulateOptions {
   /// Keep the whole convex hull. Otherwise, where there are segments, all that can be reached from outside
   /// without crossing a segment is carved away. Holes are carved in both cases.
   bool keep_convex_hull = false;
+  Crossings crossings = Crossings::reject;
   Progress progress{};
   Algorithm algorithm = Algorithm::fast;  ///< the mesh does not depend on it
   unsigned threads = 1;                   ///< 0: as many as there are cores; the mesh does not depend on it
@@ -33,11 +35,13 @@ struct [[nodiscard]] Triangulation {
   std::vector<MaybeId<VertexId>> vertex_of_input;
   /// Of each boundary and constraint edge the input segment that it is a part of, exactly.
   InputSegments segments;
+  std::vector<Crossing> crossings{};  ///< that became points (Crossings::split), by input segments
   /// What was mended, in words: merged points, overlapping segments, seeds without effect. Empty: nothing.
   std::vector<std::string> repairs;
 };
 
-/// The constrained Delaunay triangulation of a planar straight-line graph; no point is added.
+/// The constrained Delaunay triangulation of a planar straight-line graph; no point is added but those of crossings
+/// (Crossings::split), whose vertices come after the input's.
 ///
 /// Without segments it is the Delaunay triangulation of the points, convex hull included. It depends on the
 /// coordinates alone: cocircular ties are broken by kernel::incircle_perturbed, so any order of the input
@@ -50,7 +54,7 @@ struct [[nodiscard]] Triangulation {
 /// came from segments, marker kept. Vertex markers are kept as they were.
 ///
 /// throws  InputError: a coordinate that is not finite; a segment's end that is no point; segments that cross
-///         other than at a shared point; a seed exactly on a segment; segments that enclose nothing although
+///         other than at a shared point, unless options.crossings says otherwise; a seed exactly on a segment; segments that enclose nothing although
 ///         concavities are to be carved.
 /// Cost O(n log n) expected for points in any order, plus the edges that each segment crosses.
 Triangulation triangulate(Pslg pslg, const TriangulateOptions& options = {});

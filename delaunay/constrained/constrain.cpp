@@ -7,9 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
-#include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {
 namespace {
@@ -23,15 +21,18 @@ class SegmentInserter {
       for (unsigned i = 0; i < 3; ++i) remember(topology_.side(AnyTriangleId::from(t), i));
   }
 
-  void insert(VertexId from, VertexId to, std::size_t segment, std::vector<OverlapNote>& overlaps) {
+  /// returns  false if it crosses another one
+  [[nodiscard]] bool insert(VertexId from, VertexId to, std::size_t segment, std::vector<OverlapNote>& overlaps) {
     const std::size_t overlaps_before = overlaps.size();
     while (from != to) {
       const Step step = first_step(from, to);
-      VertexId reached = step.reached;
-      if (step.crosses) reached = cross(from, to, step.side, segment);
-      mark(find(from, reached), segment, overlaps, overlaps_before);
-      from = reached;
+      MaybeId<VertexId> reached = step.reached;
+      if (step.crosses) reached = cross(from, to, step.side);
+      if (!reached) return false;
+      mark(find(from, *reached), segment, overlaps, overlaps_before);
+      from = *reached;
     }
+    return true;
   }
 
  private:
@@ -73,14 +74,13 @@ class SegmentInserter {
     }
   }
 
-  /// Flip away all edges that the segment crosses between `from` and the next vertex on it, which is returned.
-  /// `first` is the first side crossed, its origin on the right.
-  VertexId cross(VertexId from, VertexId to, SideId first, std::size_t segment) {
+  /// Flip away all edges that the segment crosses between `from` and the next vertex on it, which is returned;
+  /// none, and no edge flipped, if a segment is crossed. `first` is the first side crossed, its origin on the right.
+  MaybeId<VertexId> cross(VertexId from, VertexId to, SideId first) {
     std::deque<Edge> crossed;
     VertexId reached{};
     for (SideId s = first;;) {
-      if (const MaybeId<PieceId> other = in_.piece_of(s))
-        refuse_crossing(segment, (*in_.piece(*other).segment).index());
+      if (in_.is_constrained(s)) return {};
       crossed.emplace_back(topology_.origin(s), topology_.destination(s));
       const SideId behind = topology_.twin(s);
       const VertexId v = topology_.apex(behind);
@@ -167,18 +167,6 @@ class SegmentInserter {
     in_.add_piece(s, marker, SegmentId::from(segment));
   }
 
-  [[noreturn]] void refuse_crossing(std::size_t one, std::size_t other) const {
-    const auto name = [&](std::size_t i) {
-      const Pslg::Segment& s = pslg_.segments[i];
-      return "segment " + std::to_string(i) + " (point " + std::to_string(s.from) + " at " +
-             mesh::words(pslg_.points[s.from]) + " to point " + std::to_string(s.to) + " at " +
-             mesh::words(pslg_.points[s.to]) + ")";
-    };
-    throw InputError(pslg_.source, name(other) + " and " + name(one) + " cross",
-                     "make the outlines disjoint, or add their crossing as a point that both segments end in "
-                     "(counted from 0)");
-  }
-
   ConstrainedTriangulation& in_;
   const GhostTriangulation& topology_;
   const Pslg& pslg_;
@@ -187,10 +175,10 @@ class SegmentInserter {
 
 }  // namespace
 
-std::vector<OverlapNote> insert_segments(ConstrainedTriangulation& in, const Pslg& pslg,
-                                         const std::vector<VertexId>& vertex_of, const Progress& progress) {
+InsertedSegments insert_segments(ConstrainedTriangulation& in, const Pslg& pslg, const std::vector<VertexId>& vertex_of,
+                                 const Progress& progress) {
   SegmentInserter inserter(in, pslg);
-  std::vector<OverlapNote> overlaps;
+  InsertedSegments result;
   constexpr std::size_t poll = 256;
   for (std::size_t k = 0; k < pslg.segments.size(); ++k) {
     if (k % poll == 0) {
@@ -198,9 +186,12 @@ std::vector<OverlapNote> insert_segments(ConstrainedTriangulation& in, const Psl
       progress("constrain", static_cast<double>(k) / static_cast<double>(pslg.segments.size()));
     }
     const Pslg::Segment& s = pslg.segments[k];
-    inserter.insert(vertex_of[s.from], vertex_of[s.to], k, overlaps);
+    if (!inserter.insert(vertex_of[s.from], vertex_of[s.to], k, result.overlaps)) {
+      result.some_cross = true;
+      break;
+    }
   }
-  return overlaps;
+  return result;
 }
 
 }  // namespace leonhard::delaunay

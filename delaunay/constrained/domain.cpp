@@ -15,7 +15,19 @@
 namespace leonhard::delaunay {
 namespace {
 
-void note_overlaps(const std::vector<OverlapNote>& overlaps, std::vector<std::string>& repairs) {
+/// The input's segment of which a segment of the graph that was triangulated is a part.
+SegmentId input_segment(const Domain& domain, SegmentId s) {
+  return domain.arrangement ? domain.arrangement->segment_of[s.index()] : s;
+}
+
+void note_overlaps(const std::vector<OverlapNote>& met, Domain& domain) {
+  std::vector<OverlapNote> overlaps;
+  for (const OverlapNote& note : met) {
+    const std::size_t segment = input_segment(domain, SegmentId::from(note.segment)).index();
+    const std::size_t earlier = input_segment(domain, SegmentId::from(note.earlier)).index();
+    if (overlaps.empty() || overlaps.back().segment != segment || overlaps.back().earlier != earlier) overlaps.push_back({segment, earlier});
+  }
+  std::vector<std::string>& repairs = domain.repairs;
   constexpr std::size_t named = 10;
   for (std::size_t i = 0; i < std::min(named, overlaps.size()); ++i)
     repairs.push_back("segment " + std::to_string(overlaps[i].segment) + " overlaps segment " +
@@ -40,7 +52,7 @@ void note_unused(const Pslg& pslg, const Domain& domain, std::vector<std::string
   const std::vector<bool> used = used_vertices(domain.cells);
   std::size_t unused = 0, first = std::numeric_limits<std::size_t>::max();
   for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v]) continue;
+    if (used[v] || domain.sorted.first_input[v] >= pslg.points.size()) continue;
     ++unused;
     first = std::min<std::size_t>(first, domain.sorted.first_input[v]);
   }
@@ -101,7 +113,9 @@ void copy_edges(const Domain& domain, const std::vector<MaybeId<VertexId>>& numb
     const MarkedEdge edge{*number[from.index()], *number[to.index()], piece.marker};
     const bool on_boundary = is_ghost(topology.twin(s));
     (on_boundary ? mesh.boundary : mesh.constraints).push_back(edge);
-    (on_boundary ? segments.boundary : segments.constraints).push_back(piece.segment);
+    MaybeId<SegmentId> segment = piece.segment;
+    if (segment) segment = input_segment(domain, *segment);
+    (on_boundary ? segments.boundary : segments.constraints).push_back(segment);
     for (const VertexId v : {from, to})
       if (v.index() >= domain.sorted.first_input.size())
         mesh.vertex_markers[*number[v.index()]] = piece.marker;
@@ -148,14 +162,17 @@ void check(const Pslg& pslg) {
 }
 
 void note_duplicates(const Pslg& pslg, const SortedPoints& sorted, std::vector<std::string>& repairs) {
-  const std::size_t merged = pslg.points.size() - sorted.points.size();
+  std::size_t merged = 0, first_merged = 0;
+  for (std::size_t k = pslg.points.size(); k-- > 0;) {
+    if (sorted.first_input[sorted.sorted_index[k]] == k) continue;
+    ++merged;
+    first_merged = k;
+  }
   if (merged > 0) {
-    std::size_t i = 0;
-    while (sorted.first_input[sorted.sorted_index[i]] == i) ++i;
     repairs.push_back(
         std::to_string(merged) + " points merged with others at the same place, the first of them point " +
-        std::to_string(i) + " with point " + std::to_string(sorted.first_input[sorted.sorted_index[i]]) +
-        " at " + mesh::words(pslg.points[i]) + " (counted from 0)");
+        std::to_string(first_merged) + " with point " + std::to_string(sorted.first_input[sorted.sorted_index[first_merged]]) +
+        " at " + mesh::words(pslg.points[first_merged]) + " (counted from 0)");
   }
   std::size_t empty = 0, first = 0;
   for (std::size_t i = pslg.segments.size(); i-- > 0;) {
@@ -176,24 +193,51 @@ void set_point_markers(const Pslg& pslg, const std::vector<MaybeId<VertexId>>& v
       mesh.vertex_markers[*vertex_of_input[i]] = pslg.point_markers[i];
 }
 
-Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Algorithm algorithm,
+namespace {
+
+/// Steps 1 and 2; the segments' ends are put into the triangulation, the segments not.
+Domain triangulate_ends(const Pslg& graph, Algorithm algorithm, const AlgorithmOptions& options) {
+  Domain domain;
+  SortedTriangulation points_only = sort_and_triangulate(graph.points, algorithm, options);
+  domain.outcome = points_only.cells.outcome;
+  domain.sorted = std::move(points_only.sorted);
+  if (domain.outcome == TriangulateOutcome::done)
+    domain.cells = ConstrainedTriangulation(std::move(points_only.cells.triangulation), std::move(domain.sorted.points));
+  return domain;
+}
+
+InsertedSegments insert_all(Domain& domain, const Pslg& graph, const Progress& progress) {
+  std::vector<VertexId> vertex_of;
+  vertex_of.reserve(graph.points.size());
+  for (const std::uint32_t i : domain.sorted.sorted_index) vertex_of.push_back(VertexId{i});
+  return insert_segments(domain.cells, graph, vertex_of, progress);
+}
+
+}  // namespace
+
+Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Crossings crossings, Algorithm algorithm,
                    const AlgorithmOptions& options) {
   // 1. check
   check(pslg);
   // 2. sort, merge, triangulate
-  Domain domain;
-  SortedTriangulation points_only = sort_and_triangulate(pslg.points, algorithm, options);
-  domain.outcome = points_only.cells.outcome;
-  domain.sorted = std::move(points_only.sorted);
+  Domain domain = triangulate_ends(pslg, algorithm, options);
   if (domain.outcome != TriangulateOutcome::stopped) note_duplicates(pslg, domain.sorted, domain.repairs);
   if (domain.outcome != TriangulateOutcome::done) return domain;
-  domain.cells =
-      ConstrainedTriangulation(std::move(points_only.cells.triangulation), std::move(domain.sorted.points));
   // 3. constrain and carve
-  std::vector<VertexId> vertex_of;
-  vertex_of.reserve(pslg.points.size());
-  for (const std::uint32_t i : domain.sorted.sorted_index) vertex_of.push_back(VertexId{i});
-  note_overlaps(insert_segments(domain.cells, pslg, vertex_of, options.progress), domain.repairs);
+  InsertedSegments inserted = insert_all(domain, pslg, options.progress);
+  if (inserted.some_cross) {
+    if (crossings == Crossings::reject) refuse_crossings(pslg, options.progress);
+    Arrangement arrangement = crossings == Crossings::split ? split_crossings(pslg, options.progress)
+                                                            : skip_crossings(pslg, options.progress);
+    Domain again = triangulate_ends(arrangement.graph, algorithm, options);
+    again.repairs = std::move(domain.repairs);
+    domain = std::move(again);
+    note_crossings(arrangement, domain.repairs);
+    domain.arrangement = std::move(arrangement);
+    if (domain.outcome == TriangulateOutcome::done) inserted = insert_all(domain, domain.arrangement->graph, options.progress);
+    assert(!inserted.some_cross);
+  }
+  note_overlaps(inserted.overlaps, domain);
   if (options.progress.stop_requested()) {
     domain.outcome = TriangulateOutcome::stopped;
     return domain;
@@ -207,9 +251,10 @@ Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Algorithm algorithm,
 TriangleMesh to_mesh(const Domain& domain, const Pslg& pslg, std::vector<MaybeId<VertexId>>& vertex_of_input,
                      InputSegments& segments) {
   const ConstrainedTriangulation& cells = domain.cells;
+  const Pslg& graph = domain.arrangement ? domain.arrangement->graph : pslg;
   const std::vector<MaybeId<VertexId>> number = mesh_numbers(domain);
-  vertex_of_input.assign(pslg.points.size(), {});
-  for (std::size_t i = 0; i < pslg.points.size(); ++i)
+  vertex_of_input.assign(graph.points.size(), {});
+  for (std::size_t i = 0; i < graph.points.size(); ++i)
     vertex_of_input[i] = number[domain.sorted.sorted_index[i]];
 
   TriangleMesh mesh;
@@ -221,7 +266,8 @@ TriangleMesh to_mesh(const Domain& domain, const Pslg& pslg, std::vector<MaybeId
     if (number[v]) mesh.points[*number[v]] = cells.points()[v];
   copy_triangles(cells, pslg, number, mesh);
   copy_edges(domain, number, mesh, segments);
-  set_point_markers(pslg, vertex_of_input, mesh);
+  set_point_markers(graph, vertex_of_input, mesh);
+  vertex_of_input.resize(pslg.points.size());
   mesh.marker_names = pslg.marker_names;
   return mesh;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "leonhard/delaunay/algorithm.hpp"
+#include "leonhard/delaunay/constrained/arrange.hpp"
 #include "leonhard/delaunay/constrained/constrained_triangulation.hpp"
 #include "leonhard/delaunay/order/sorted_points.hpp"
 #include "leonhard/kernel/progress.hpp"
@@ -18,6 +20,7 @@ struct Domain {
   TriangulateOutcome outcome = TriangulateOutcome::done;
   SortedPoints sorted;             ///< vertex i of the triangulation is its point i; the points moved on
   ConstrainedTriangulation cells;  ///< carved; every boundary edge is a piece. Empty unless done
+  std::optional<Arrangement> arrangement;  ///< where segments crossed: the graph that was triangulated
   std::vector<std::string> repairs;
 };
 
@@ -25,6 +28,8 @@ struct Domain {
 void check(const Pslg& pslg);
 
 /// Say in words how many points were merged and how many segments had no length.
+///
+/// sorted  of the graph's points, and of others behind them
 void note_duplicates(const Pslg& pslg, const SortedPoints& sorted, std::vector<std::string>& repairs);
 
 /// The mesh's vertices take the markers of their points; of several at one place the first that is not 0.
@@ -35,7 +40,8 @@ void set_point_markers(const Pslg& pslg, const std::vector<MaybeId<VertexId>>& v
 ///
 /// keep_convex_hull  as in TriangulateOptions; a graph without segments keeps it too
 /// throws            InputError, as listed at triangulate
-[[nodiscard]] Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Algorithm algorithm,
+/// Where segments cross, which shows when they are inserted, the work before is done twice.
+[[nodiscard]] Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Crossings crossings, Algorithm algorithm,
                                  const AlgorithmOptions& options);
 
 /// The domain's cells as a mesh: input vertices first, in the order of the points that made them, then those
