@@ -68,6 +68,7 @@ JoinedProblem<dim> join_periodic(const FlowProblem<dim>& problem) {
   std::erase_if(joined.problem.boundary, [](const auto& entry) { return entry.second.kind == BoundaryKind::periodic; });
   if (!problem.initial.empty())
     for (const VertexId first : joined.first_of) joined.problem.initial.push_back(problem.initial[first]);
+  joined.problem.rough_initial = problem.rough_initial;
   return joined;
 }
 

@@ -38,8 +38,19 @@ struct BoundaryCondition {
   Marker partner{};        ///< periodic: the other side, whose partner is this one
   /// periodic: from this side to its partner, given by one of the two at most; none: found from the mesh (mesh::match_sides).
   std::optional<Vector> translation{};
+  /// far_field, supersonic_inflow: the state beyond; none: that of the free stream, or outer_state.
+  std::optional<State<dim>> outer{};
+  /// When set, gives the values above for a place on the boundary (not the kind, nor what makes it periodic). Called for each
+  /// facet's corners when a march begins.
+  std::function<void(const typename Simplex<dim>::Point&, BoundaryCondition&)> vary{};
 
-  friend bool operator==(const BoundaryCondition&, const BoundaryCondition&) = default;
+  /// The condition at a place.
+  [[nodiscard]] BoundaryCondition at(const typename Simplex<dim>::Point& place) const {
+    BoundaryCondition here = *this;
+    here.vary = nullptr;
+    if (vary) vary(place, here);
+    return here;
+  }
 };
 
 /// The Euler equations about something in the plane or in space, or with a viscosity the Navier-Stokes equations.
@@ -66,6 +77,7 @@ struct FlowProblem {
   /// Start from here in place of the free stream; one state a vertex, or empty. The implicit march leaves out its
   /// first-order start-up then.
   PerId<VertexId, State<dim>> initial{};
+  bool rough_initial = false;  ///< the initial states are a guess: the start-up is kept
 };
 
 namespace solver {

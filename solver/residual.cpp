@@ -149,7 +149,7 @@ void FlowResidual<dim>::add_boundary_fluxes(std::size_t part, const double* unli
     Conserved<dim> sum{};
     for (std::size_t c = 0; c < corners.size(); ++c) {
       const VertexId v = corners[c].vertex;
-      flux[c] = boundary_flux(constants(), facet.condition, corners[c], state[v]);
+      flux[c] = boundary_flux(constants(), facet.condition_at(c), corners[c], state[v]);
       if (viscous()) {
         const Conserved<dim> friction =
             viscous_boundary_flux(viscous_constants(), facet.condition.kind, corners[c], state[v],
@@ -222,7 +222,7 @@ void FlowResidual<dim>::add_boundary_jacobians(std::size_t part, const States& s
         const double share = of == c ? facet.own_share : facet.other_share();
         if (share == 0) continue;
         const auto w = static_cast<std::uint32_t>(corners[of].vertex.index());
-        add_boundary_jacobian(constants(), viscous_constants(), facet.condition, corners[of], state[corners[of].vertex],
+        add_boundary_jacobian(constants(), viscous_constants(), facet.condition_at(of), corners[of], state[corners[of].vertex],
                               share * corners[c].size, blocks.data() + n * n * plan_.block_of(v, w));
       }
     }

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "leonhard/app/case/section_reader.hpp"
 #include "leonhard/app/case/spelling.hpp"
@@ -185,25 +186,28 @@ void complete_boundaries(Case& c, CaseLog& log) {
 
 /// What goes with the kind of a boundary; values of other kinds are refused.
 void read_boundary_values(SectionReader& reader, BoundaryCase& boundary, bool listing) {
-  const auto has = [&](BoundaryKind kind, std::string_view word, std::initializer_list<std::string_view> keys) {
-    if (boundary.kind == kind || listing) return true;
-    for (const std::string_view key : keys) reader.refuse(key, fmt::format("only a {} has one", word));
+  const auto has = [&](std::initializer_list<BoundaryKind> kinds, std::string_view words, std::initializer_list<std::string_view> keys) {
+    if (listing || std::ranges::find(kinds, boundary.kind) != kinds.end()) return true;
+    for (const std::string_view key : keys) reader.refuse(key, fmt::format("only a {} has one", words));
     return false;
   };
-  if (has(BoundaryKind::no_slip_wall, "no-slip-wall", {"temperature", "velocity"})) {
-    boundary.temperature = reader.optional_number("temperature", above(0), "none: adiabatic");
-    boundary.velocity = reader.vector("velocity", "[0, 0]");
+  const auto value = [&](std::string_view key) { return reader.place_value(key, above(0), "1").value_or(1); };
+  if (has({BoundaryKind::no_slip_wall, BoundaryKind::far_field, BoundaryKind::supersonic_inflow},
+          "no-slip-wall, far-field or supersonic-inflow", {"temperature", "velocity"})) {
+    boundary.temperature = reader.place_value("temperature", above(0), "wall: none, adiabatic; else 1");
+    boundary.velocity = reader.place_vector("velocity", "wall: at rest; else that of the free stream");
   }
-  if (has(BoundaryKind::subsonic_inflow, "subsonic-inflow", {"total_pressure", "total_temperature", "direction"})) {
-    boundary.total_pressure = reader.number("total_pressure", boundary.total_pressure, above(0));
-    boundary.total_temperature = reader.number("total_temperature", boundary.total_temperature, above(0));
-    boundary.direction = reader.vector("direction", "normal to the boundary");
-    if (!boundary.direction.empty() && std::ranges::all_of(boundary.direction, [](double x) { return x == 0; }))
+  if (has({BoundaryKind::subsonic_inflow}, "subsonic-inflow", {"total_pressure", "total_temperature", "direction"})) {
+    boundary.total_pressure = value("total_pressure");
+    boundary.total_temperature = value("total_temperature");
+    boundary.direction = reader.place_vector("direction", "normal to the boundary");
+    if (!boundary.direction.empty() && std::ranges::all_of(boundary.direction, [](const PlaceValue& x) { return x == 0; }))
       throw InputError(reader.where("direction"), "the direction of the inflow is 0", "give a vector into the mesh");
   }
-  if (has(BoundaryKind::pressure_outflow, "pressure-outflow", {"pressure"}))
-    boundary.pressure = reader.number("pressure", boundary.pressure, above(0));
-  if (has(BoundaryKind::periodic, "periodic", {"partner", "translation"})) {
+  if (has({BoundaryKind::pressure_outflow, BoundaryKind::far_field, BoundaryKind::supersonic_inflow},
+          "pressure-outflow, far-field or supersonic-inflow", {"pressure"}))
+    boundary.pressure = reader.place_value("pressure", above(0), "1");
+  if (has({BoundaryKind::periodic}, "periodic", {"partner", "translation"})) {
     boundary.partner = reader.text("partner", "", "required");
     boundary.translation = reader.vector("translation", "found from the mesh");
     if (boundary.partner.empty() && !listing)
@@ -272,6 +276,11 @@ InitialCase read_initial(SectionReader initial) {
   if (!i.field.empty() && i.field.extension() != ".vtu")
     throw InputError(initial.where("field"), fmt::format("initial.field = \"{}\" is no .vtu", i.field.string()),
                      "give a field.vtu that solve wrote");
+  i.pressure = initial.place_value("pressure", above(0), "1");
+  i.temperature = initial.place_value("temperature", above(0), "1");
+  i.velocity = initial.place_vector("velocity", "that of the free stream");
+  if (!i.field.empty())
+    for (const auto key : {"pressure", "temperature", "velocity"}) initial.refuse(key, "initial.field has it");
   return i;
 }
 
@@ -407,17 +416,15 @@ std::vector<KnownKey> known_keys() {
 void require_dimension(const Case& c, int dimension) {
   const std::set<std::string_view> of_plane{"farfield.vortex_correction", "partition.method", "partition.parts", "output.close_up"},
       of_space{"flow.beta_deg", "reference.area"};
-  const auto key_of = [](const std::string& name) { return std::string_view(name).substr(name.rfind('.') + 1); };
   for (const KeyInForce& entry : c.keys) {
     if (entry.by_default) continue;
     if ((dimension == 2 ? of_space : of_plane).contains(entry.key))
       throw InputError(entry.where,
                        fmt::format("{} is given but the flow is one of {}", entry.key, dimension == 2 ? "the plane" : "space"),
                        "remove it");
-    const bool is_vector = entry.key == "reference.moment_centre" ||
-                           (entry.key.starts_with("boundary.") &&
-                            (key_of(entry.key) == "velocity" || key_of(entry.key) == "direction" || key_of(entry.key) == "translation"));
-    if (is_vector && std::ranges::count(entry.value, ',') + 1 != dimension)
+    const bool is_vector = entry.key == "reference.moment_centre" || entry.key == "initial.velocity" ||
+                           (entry.key.starts_with("boundary.") && entry.elements > 0);
+    if (is_vector && std::cmp_not_equal(entry.elements, dimension))
       throw InputError(entry.where, fmt::format("{} = {} in a flow of {}", entry.key, entry.value, dimension == 2 ? "the plane" : "space"),
                        fmt::format("give {} numbers", dimension));
   }

@@ -69,7 +69,7 @@ class ImplicitMarch {
   explicit ImplicitMarch(March<dim>& march)
       : march_(march),
         system_(block_pattern(march.spatial.plan()), static_cast<int>(n), fill_levels),
-        starting_(march.problem.initial.empty()),
+        starting_(march.problem.initial.empty() || march.problem.rough_initial),
         start_up_drop_(march.problem.free_stream.mach < 1 ? start_up_drop_subsonic : start_up_drop_supersonic) {
     to_conserved(march.problem.gas, march.state, q_);
     step_.resize(q_.size());
