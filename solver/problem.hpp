@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "leonhard/mesh/mesh_dual.hpp"
 #include "leonhard/solver/gas.hpp"
@@ -77,6 +78,9 @@ struct FlowProblem {
   /// Start from here in place of the free stream; one state a vertex, or empty. The implicit march leaves out its
   /// first-order start-up then.
   PerId<VertexId, State<dim>> initial{};
+  /// Quantities by name, besides the force coefficients, that have to stand still before a march counts as settled; kept in
+  /// Iteration::monitored in the order of their names. Without them and without walls: the means of kinetic energy and pressure.
+  std::map<std::string, std::function<double(const PerId<VertexId, State<dim>>&)>> monitored{};
   bool rough_initial = false;  ///< the initial states are a guess: the start-up is kept
 };
 

@@ -284,22 +284,21 @@ InitialCase read_initial(SectionReader initial) {
   return i;
 }
 
-SolverCase read_solver(SectionReader solver) {
+SolverCase read_solver(SectionReader solver, const FlowCase& flow) {
   SolverCase s;
   s.marching = solver.choice("marching", std::optional(s.marching),
                              SectionReader::Words<Marching>(marching_words));
   s.order = static_cast<int>(solver.integer("order", s.order, 1, 2));
   s.flux = solver.choice("flux", std::optional(s.flux), SectionReader::Words<FluxKind>(flux_words));
   s.limiter =
-      solver.choice("limiter", std::optional(s.limiter), SectionReader::Words<LimiterKind>(limiter_words));
+      solver.choice("limiter", std::optional(usual_limiter(flow.mach, flow.reynolds.has_value())), SectionReader::Words<LimiterKind>(limiter_words));
   s.r3_k = solver.number("r3_k", s.r3_k, at_least(0));
   s.venkatakrishnan_k = solver.number("venkatakrishnan_k", s.venkatakrishnan_k, at_least(0));
   s.entropy_fix = solver.number("entropy_fix", s.entropy_fix, between(0, 1));
   s.residual_drop_orders =
       solver.number("residual_drop_orders", s.residual_drop_orders, {0, 16, true, false});
-  const int usual_iterations = s.marching == Marching::implicit_ptc ? 500 : 50'000;
   s.max_iterations = static_cast<int>(
-      solver.integer("max_iterations", usual_iterations, 1, 1'000'000'000, "500 implicit, 50000 explicit"));
+      solver.integer("max_iterations", usual_max_iterations(s.marching), 1, 1'000'000'000, "500 implicit, 50000 explicit"));
   s.cfl_start = solver.optional_number("cfl_start", above(0), "chosen by the marching");
   s.cfl_max = solver.optional_number("cfl_max", above(0), "chosen by the marching");
   if (s.cfl_start && s.cfl_max && *s.cfl_start > *s.cfl_max)
@@ -308,7 +307,10 @@ SolverCase read_solver(SectionReader solver) {
         fmt::format("solver.cfl_start = {} is above solver.cfl_max = {}", *s.cfl_start, *s.cfl_max),
         "raise cfl_max or lower cfl_start");
   s.settle_tolerance = solver.number("settle_tolerance", s.settle_tolerance, at_least(0));
-  s.settle_window = static_cast<int>(solver.integer("settle_window", s.settle_window, 0, 1'000'000'000));
+  s.settle_window = static_cast<int>(
+      solver.integer("settle_window", usual_settle_window(s.marching), 0, 1'000'000'000, "100 implicit, 1000 explicit"));
+  s.residual_smoothing = solver.number("residual_smoothing", s.residual_smoothing, at_least(0));
+  if (s.marching == Marching::implicit_ptc) solver.refuse("residual_smoothing", "only the explicit march smooths its residual");
   return s;
 }
 
@@ -324,6 +326,7 @@ OutputCase read_output(SectionReader output, const Case& c) {
           "give [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
     o.close_up = {box[0], box[1], box[2], box[3]};
   }
+  o.stations = output.list("stations", 12, "the middle of the walls");
   return o;
 }
 
@@ -356,7 +359,7 @@ Case read_sections(CaseLog& log, const toml::table* root) {
   read_boundaries(top, c, log);
   c.reference = read_reference(top.section("reference"));
   c.initial = read_initial(top.section("initial"));
-  c.solver = read_solver(top.section("solver"));
+  c.solver = read_solver(top.section("solver"), c.flow);
   c.ordering = top.section("order").choice("method", std::optional(c.ordering),
                                            SectionReader::Words<OrderChoice>(order_words));
   SectionReader partition = top.section("partition");
@@ -415,7 +418,7 @@ std::vector<KnownKey> known_keys() {
 
 void require_dimension(const Case& c, int dimension) {
   const std::set<std::string_view> of_plane{"farfield.vortex_correction", "partition.method", "partition.parts", "output.close_up"},
-      of_space{"flow.beta_deg", "reference.area"};
+      of_space{"flow.beta_deg", "reference.area", "output.stations"};
   for (const KeyInForce& entry : c.keys) {
     if (entry.by_default) continue;
     if ((dimension == 2 ? of_space : of_plane).contains(entry.key))

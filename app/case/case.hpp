@@ -98,7 +98,7 @@ struct SolverCase {
   Marching marching = SteadyOptions{}.marching;
   int order = 2;
   FluxKind flux = SteadyOptions{}.flux;
-  LimiterKind limiter = SteadyOptions{}.limiter;
+  LimiterKind limiter = usual_limiter(0, false);
   double r3_k = SteadyOptions{}.r3_k;
   double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double residual_drop_orders = 8;
@@ -107,12 +107,14 @@ struct SolverCase {
   std::optional<double> cfl_start;  ///< none: chosen by the marching kind
   std::optional<double> cfl_max;
   double settle_tolerance = 1e-6;
-  int settle_window = 200;
+  int settle_window = 100;  ///< default 100 implicit, 1000 explicit
+  double residual_smoothing = 0;  ///< explicit only
 };
 
 struct OutputCase {
   std::filesystem::path folder;                   ///< relative to the current folder
   std::optional<std::array<double, 4>> close_up;  ///< xmin, ymin, xmax, ymax of the close-up pictures
+  std::vector<double> stations;                   ///< y of the planes on which Cp is drawn, space only; empty: the middle of the walls
 };
 
 /// A case: plain data, read and checked by read_case. Either mesh_file, or domain_file, or bodies is set.

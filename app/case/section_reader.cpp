@@ -233,6 +233,10 @@ std::vector<double> SectionReader::numbers(std::string_view key, std::size_t cou
   return checked_numbers(key, count, count, fmt::format("{} finite numbers in brackets", count), std::move(fallback));
 }
 
+std::vector<double> SectionReader::list(std::string_view key, std::size_t most, std::string fallback) {
+  return checked_numbers(key, 1, most, fmt::format("1 to {} finite numbers in brackets", most), std::move(fallback));
+}
+
 std::vector<double> SectionReader::vector(std::string_view key, std::string fallback) {
   return checked_numbers(key, 2, 3, "2 finite numbers in brackets, in space 3", std::move(fallback));
 }

@@ -94,6 +94,8 @@ class SectionReader {
   [[nodiscard]] std::filesystem::path existing_file(std::string_view key);
   /// `count` finite numbers; empty if not given.
   [[nodiscard]] std::vector<double> numbers(std::string_view key, std::size_t count, std::string fallback);
+  /// Up to `most` finite numbers; empty if not given.
+  [[nodiscard]] std::vector<double> list(std::string_view key, std::size_t most, std::string fallback);
   /// Two finite numbers, or three in space (require_dimension); empty if not given.
   [[nodiscard]] std::vector<double> vector(std::string_view key, std::string fallback);
   /// A number in a range, a formula of the place (text) or a table along a line; its value is checked again at each place, with an

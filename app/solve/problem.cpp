@@ -152,6 +152,7 @@ SteadyOptions options_of(const Case& c, int threads) {
   options.residual_drop_orders = s.residual_drop_orders;
   options.settle_tolerance = s.settle_tolerance;
   options.settle_window = s.settle_window;
+  options.residual_smoothing = s.residual_smoothing;
   options.max_iterations = s.max_iterations;
   options.threads = threads;
   return options;

@@ -54,7 +54,7 @@ TEST_CASE("a_shear_flow_given_by_a_formula_or_a_table_crosses_a_square_unchanged
 
   scratch.write("start.toml", shear_case(formula, "[initial]\n" + formula + "[solver]\nmax_iterations = 1\n"));
   (void)run("solve start.toml -o start", scratch.path());
-  CHECK(error_of(scratch.path() / "start/field.vtu") < 1e-2);
+  CHECK(error_of(scratch.path() / "start/field.vtu") < 3e-2);
   scratch.write("cold.toml", shear_case(formula, "[solver]\nmax_iterations = 1\n"));
   (void)run("solve cold.toml -o cold", scratch.path());
   CHECK(error_of(scratch.path() / "cold/field.vtu") > 5e-2);
