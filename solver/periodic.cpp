@@ -35,6 +35,14 @@ PeriodicSides<dim> pair_of(const MeshDual<dim>& dual, const std::map<Marker, Bou
   return sides;
 }
 
+/// The states of a joined dual for the vertices of the mesh.
+template <int dim>
+PerId<VertexId, State<dim>> spread_states(const PerId<VertexId, State<dim>>& state, const PerId<VertexId, VertexId>& joined_of) {
+  PerId<VertexId, State<dim>> all;
+  for (const VertexId standing : joined_of) all.push_back(state[standing]);
+  return all;
+}
+
 }  // namespace
 
 template <int dim>
@@ -68,14 +76,17 @@ JoinedProblem<dim> join_periodic(const FlowProblem<dim>& problem) {
   std::erase_if(joined.problem.boundary, [](const auto& entry) { return entry.second.kind == BoundaryKind::periodic; });
   if (!problem.initial.empty())
     for (const VertexId first : joined.first_of) joined.problem.initial.push_back(problem.initial[first]);
+  joined.problem.rough_initial = problem.rough_initial;
+  for (const auto& [name, quantity] : problem.monitored)
+    joined.problem.monitored[name] = [quantity, joined_of = joined.joined_of](const PerId<VertexId, State<dim>>& state) {
+      return quantity(spread_states(state, joined_of));
+    };
   return joined;
 }
 
 template <int dim>
 void spread(const FlowProblem<dim>& problem, const JoinedProblem<dim>& joined, SteadyResult<dim>& result) {
-  PerId<VertexId, State<dim>> state;
-  for (const VertexId standing : joined.joined_of) state.push_back(result.state[standing]);
-  result.state = std::move(state);
+  result.state = spread_states(result.state, joined.joined_of);
   std::map<VertexId, WallStress<dim>> stress_at;
   for (WallStress<dim>& stress : result.stresses) stress_at.emplace(stress.at.vertex, std::move(stress));
   result.stresses.clear();

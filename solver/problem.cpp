@@ -101,10 +101,11 @@ void check_markers(const FlowProblem<dim>& problem) {
   }
 }
 
-/// The values that a marker's condition gives.
+/// The values that a marker's condition gives, everywhere or at a corner of a facet.
 template <int dim>
-void check_values(const FlowProblem<dim>& problem, Marker marker, const BoundaryCondition<dim>& condition) {
-  const std::string of = " of " + name_of(problem.dual, marker);
+void check_values(const FlowProblem<dim>& problem, Marker marker, const BoundaryCondition<dim>& condition,
+                  const std::string& place) {
+  const std::string of = " of " + name_of(problem.dual, marker) + place;
   check_number(above_zero(condition.total_pressure), "total pressure" + of, condition.total_pressure,
                "give a ratio above 0, 1 for that of the free stream");
   check_number(above_zero(condition.total_temperature), "total temperature" + of, condition.total_temperature,
@@ -117,13 +118,27 @@ void check_values(const FlowProblem<dim>& problem, Marker marker, const Boundary
                "give numbers");
   check_number(!condition.direction || above_zero(norm(*condition.direction)), "direction" + of,
                condition.direction ? norm(*condition.direction) : 0, "give a vector that is not 0");
-  if (condition.kind == BoundaryKind::subsonic_inflow && condition.direction)
+  check_number(!condition.outer || is_physical(*condition.outer), "state beyond" + of,
+               condition.outer ? condition.outer->p : 0, "give finite numbers, density and pressure above 0");
+}
+
+/// Where a condition's direction leads, and whether the flow has what the condition needs.
+template <int dim>
+void check_condition(const FlowProblem<dim>& problem, Marker marker, const BoundaryCondition<dim>& condition) {
+  const std::string of = " of " + name_of(problem.dual, marker);
+  if (!condition.vary) check_values(problem, marker, condition, "");
+  if (condition.vary || (condition.kind == BoundaryKind::subsonic_inflow && condition.direction))
     for (const DualFacet<dim>& facet : problem.dual.boundary)
-      if (facet.marker == marker && !(dot(*condition.direction, facet.normal) < 0)) {
-        std::ostringstream words;
-        words << "points out of the mesh at " << problem.dual.points[facet.corners[0]];
-        throw InputError("direction" + of, words.str(), "turn it, or leave it out for an inflow normal to the boundary");
-      }
+      if (facet.marker == marker)
+        for (const VertexId v : facet.corners) {
+          std::ostringstream place;
+          place << " at " << problem.dual.points[v];
+          const BoundaryCondition<dim> here = condition.at(problem.dual.points[v]);
+          if (condition.vary) check_values(problem, marker, here, place.str());
+          if (here.kind == BoundaryKind::subsonic_inflow && here.direction && !(dot(*here.direction, facet.normal) < 0))
+            throw InputError("direction" + of, "points out of the mesh" + place.str(),
+                             "turn it, or leave it out for an inflow normal to the boundary");
+        }
   if (condition.kind == BoundaryKind::no_slip_wall && !problem.viscosity)
     throw InputError("boundary", name_of(problem.dual, marker) + " is a no-slip wall in a flow without viscosity",
                      "give a Reynolds number, or make it a slip wall");
@@ -158,7 +173,7 @@ void check_problem(const FlowProblem<dim>& problem) {
                          std::to_string(problem.dual.vertex_count()) + " vertices",
                      "give one state a vertex, or none");
   check_markers(problem);
-  for (const auto& [marker, condition] : problem.boundary) check_values(problem, marker, condition);
+  for (const auto& [marker, condition] : problem.boundary) check_condition(problem, marker, condition);
   (void)match_periodic(problem.dual, problem.boundary);
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "leonhard/mesh/mesh_dual.hpp"
 #include "leonhard/solver/gas.hpp"
@@ -38,8 +39,19 @@ struct BoundaryCondition {
   Marker partner{};        ///< periodic: the other side, whose partner is this one
   /// periodic: from this side to its partner, given by one of the two at most; none: found from the mesh (mesh::match_sides).
   std::optional<Vector> translation{};
+  /// far_field, supersonic_inflow: the state beyond; none: that of the free stream, or outer_state.
+  std::optional<State<dim>> outer{};
+  /// When set, gives the values above for a place on the boundary (not the kind, nor what makes it periodic). Called for each
+  /// facet's corners when a march begins.
+  std::function<void(const typename Simplex<dim>::Point&, BoundaryCondition&)> vary{};
 
-  friend bool operator==(const BoundaryCondition&, const BoundaryCondition&) = default;
+  /// The condition at a place.
+  [[nodiscard]] BoundaryCondition at(const typename Simplex<dim>::Point& place) const {
+    BoundaryCondition here = *this;
+    here.vary = nullptr;
+    if (vary) vary(place, here);
+    return here;
+  }
 };
 
 /// The Euler equations about something in the plane or in space, or with a viscosity the Navier-Stokes equations.
@@ -66,6 +78,10 @@ struct FlowProblem {
   /// Start from here in place of the free stream; one state a vertex, or empty. The implicit march leaves out its
   /// first-order start-up then.
   PerId<VertexId, State<dim>> initial{};
+  /// Quantities by name, besides the force coefficients, that have to stand still before a march counts as settled; kept in
+  /// Iteration::monitored in the order of their names. Without them and without walls: the means of kinetic energy and pressure.
+  std::map<std::string, std::function<double(const PerId<VertexId, State<dim>>&)>> monitored{};
+  bool rough_initial = false;  ///< the initial states are a guess: the start-up is kept
 };
 
 namespace solver {

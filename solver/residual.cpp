@@ -149,7 +149,7 @@ void FlowResidual<dim>::add_boundary_fluxes(std::size_t part, const double* unli
     Conserved<dim> sum{};
     for (std::size_t c = 0; c < corners.size(); ++c) {
       const VertexId v = corners[c].vertex;
-      flux[c] = boundary_flux(constants(), facet.condition, corners[c], state[v]);
+      flux[c] = boundary_flux(constants(), facet.condition_at(c), corners[c], state[v]);
       if (viscous()) {
         const Conserved<dim> friction =
             viscous_boundary_flux(viscous_constants(), facet.condition.kind, corners[c], state[v],
@@ -222,11 +222,54 @@ void FlowResidual<dim>::add_boundary_jacobians(std::size_t part, const States& s
         const double share = of == c ? facet.own_share : facet.other_share();
         if (share == 0) continue;
         const auto w = static_cast<std::uint32_t>(corners[of].vertex.index());
-        add_boundary_jacobian(constants(), viscous_constants(), facet.condition, corners[of], state[corners[of].vertex],
+        add_boundary_jacobian(constants(), viscous_constants(), facet.condition_at(of), corners[of], state[corners[of].vertex],
                               share * corners[c].size, blocks.data() + n * n * plan_.block_of(v, w));
       }
     }
   }
+}
+
+template <int dim>
+void FlowResidual<dim>::smooth(double strength, std::vector<double>& step) {
+  constexpr int sweeps = 2;
+  unsmoothed_ = step;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    smoothed_ = step;
+    run_(plan_.parts.size(), [&](std::size_t part) {
+      const PartRange& range = plan_.parts[part];
+      for (std::uint32_t k = range.vertex_begin; k < range.vertex_end; ++k) {
+        const std::uint32_t v = plan_.part_vertices[k];
+        const auto neighbours = plan_.neighbours[v];
+        const double share = 1 / (1 + strength * static_cast<double>(neighbours.size()));
+        for (std::size_t i = 0; i < n; ++i) {
+          double sum = 0;
+          for (const std::uint32_t w : neighbours) sum += step[n * w + i];
+          smoothed_[n * v + i] = share * (unsmoothed_[n * v + i] + strength * sum);
+        }
+      }
+    });
+    for (const StrongVertex<dim>& strong : walls_.vertices())
+      std::copy_n(unsmoothed_.begin() + static_cast<std::ptrdiff_t>(n * strong.vertex.index()), n,
+                  smoothed_.begin() + static_cast<std::ptrdiff_t>(n * strong.vertex.index()));
+    step.swap(smoothed_);
+  }
+}
+
+template <int dim>
+std::map<Marker, double> FlowResidual<dim>::mass_flow(const States& state) const {
+  std::map<Marker, double> flow;
+  for (std::size_t k = 0; k < boundary_.size(); ++k) {
+    const BoundaryFacet<dim>& facet = boundary_[k];
+    const auto corners = facet.corners();
+    std::array<double, MixedFacet<dim>::most_corners> flux{};
+    double sum = 0;
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      sum += flux[c] = boundary_flux(constants(), facet.condition_at(c), corners[c], state[corners[c].vertex])[0];
+    double& out = flow[problem_.dual.boundary[k].marker];
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      out += corners[c].size * (facet.own_share * flux[c] + facet.other_share() * (sum - flux[c]));
+  }
+  return flow;
 }
 
 template class FlowResidual<2>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "leonhard/solver/forces.hpp"
@@ -16,7 +17,7 @@ namespace leonhard::solver {
 struct SpatialOptions {
   int order = 2;  ///< 1 or 2
   FluxKind flux = SteadyOptions{}.flux;
-  LimiterKind limiter = SteadyOptions{}.limiter;
+  LimiterKind limiter = LimiterKind::nishikawa_r3;
   double limiter_k = SteadyOptions{}.r3_k;  ///< of the limiter chosen
   double entropy_fix = 0.05;
   int threads = 1;
@@ -55,6 +56,15 @@ class FlowResidual {
   /// EdgePlan::neighbour_block.
   /// blocks  n^2 plan().block_count() numbers at least
   void jacobian(const PerId<VertexId, State<dim>>& state, std::span<double> blocks);
+
+  /// Bring the steps of neighbouring vertices together: an approximate solution, by two sweeps of Jacobi's method, of
+  /// (1 + strength times the number of neighbours) s_v - strength times the sum of the neighbours' s = step_v (A. Jameson and T. J.
+  /// Baker, AIAA 83-1929, on any cells). No-slip walls keep theirs.
+  /// step  n a vertex
+  void smooth(double strength, std::vector<double>& step);
+
+  /// What leaves through each marker, as SteadyResult::mass_flow. The far field's lift is that of the last call of evaluate.
+  [[nodiscard]] std::map<Marker, double> mass_flow(const PerId<VertexId, State<dim>>& state) const;
 
   /// What the walls took up in the last call of evaluate or evaluate_first_order.
   [[nodiscard]] std::vector<WallStress<dim>> wall_stresses(const PerId<VertexId, State<dim>>& state) const {
@@ -95,6 +105,7 @@ class FlowResidual {
   bool follows_lift_;
   std::vector<double> limiter_scale_;  ///< of the limiter chosen, in its power
   std::vector<double> gradient_, unlimited_;
+  std::vector<double> unsmoothed_, smoothed_;  ///< of smooth()
   std::vector<double> source_;  ///< n a vertex, times the control volume; empty where there is none
   SweepSettings settings_;
 };

@@ -52,6 +52,8 @@ void check_options(const FlowProblem<dim>& problem, const SteadyOptions& o) {
           "give iterations, or 0 for never");
   require(o.max_iterations >= 0, "max_iterations", o.max_iterations,
           "give a number of iterations, or 0 for the default");
+  require(std::isfinite(o.residual_smoothing) && o.residual_smoothing >= 0, "residual_smoothing", o.residual_smoothing,
+          "give a number from 0, e.g. 0.6");
   require(o.threads >= 1, "threads", o.threads, "give at least one thread");
   check_parts(problem.dual, o);
 }
@@ -62,8 +64,8 @@ template <int dim>
 SteadyResult<dim> march(const FlowProblem<dim>& problem, const SteadyOptions& options,
                         const std::function<void(const Iteration&)>& monitor, const std::stop_token& stop) {
   const bool implicit = options.marching == Marching::implicit_ptc;
-  ConvergenceMonitor book(options, options.settle_window.value_or(implicit ? 40 : 1000),
-                          options.max_iterations > 0 ? options.max_iterations : (implicit ? 500 : 50'000),
+  ConvergenceMonitor book(options, options.settle_window.value_or(usual_settle_window(options.marching)),
+                          options.max_iterations > 0 ? options.max_iterations : usual_max_iterations(options.marching),
                           monitor, stop);
   March<dim> march(problem, options, book, stop);
   SteadyResult<dim> result;
@@ -71,10 +73,12 @@ SteadyResult<dim> march(const FlowProblem<dim>& problem, const SteadyOptions& op
     result.verdict = *at_once;
   else
     result.verdict = implicit ? march_implicit(march) : march_explicit(march);
+  result.at_rounding = book.at_rounding();
   result.history = book.take_history();
   if (result.verdict == Verdict::diverged) result.bad_vertex = march.bad_vertex;
   if (result.verdict != Verdict::diverged && result.verdict != Verdict::converged)
     result.worst = worst_vertices(problem, march.state, march.residual, 10);
+  result.mass_flow = march.spatial.mass_flow(march.state);
   result.state = std::move(march.state);
   result.stresses = std::move(march.stresses);
   result.rejected_steps = march.rejected;
@@ -101,7 +105,7 @@ SteadyResult<dim> solve_steady(const FlowProblem<dim>& problem, const SteadyOpti
   } else {
     result = march(problem, options, monitor, stop);
   }
-  result.words = describe(result.verdict, result.history, result.bad_vertex, problem.dual) + describe(result.worst, problem.dual);
+  result.words = describe(result.verdict, result.at_rounding, result.history, result.bad_vertex, problem.dual) + describe(result.worst, problem.dual);
   result.forces_by_marker = wall_forces(problem, result.state, result.stresses);
   result.forces = total(result.forces_by_marker);
   if constexpr (dim == 2) result.surface = surface_lines(problem, result.state, result.stresses);

@@ -13,7 +13,7 @@ namespace leonhard {
 struct SteadyOptions {
   Marching marching = Marching::implicit_ptc;
   FluxKind flux = FluxKind::roe_low_mach;  ///< between control volumes; the far field keeps Roe's
-  LimiterKind limiter = LimiterKind::nishikawa_r3;
+  std::optional<LimiterKind> limiter{};  ///< none: usual_limiter
   /// >= 0; larger limits less. A variation passes unlimited below (k h / extent)^1.5 of the local density, speed of sound
   /// or pressure times gamma; h is the control volume's root, in space its third root, the extent that of the walls, or of the mesh where there
   /// are none.
@@ -24,15 +24,26 @@ struct SteadyOptions {
   std::optional<double> cfl_start{};  ///< none: chosen by the marching kind
   std::optional<double> cfl_max{};
   double residual_drop_orders = 8;  ///< converged once log10(|R0| / |R|) reaches this
-  double settle_tolerance = 1e-6;  ///< settled once cl, cd, cm move less than this over settle_window iterations ...
-  /// ... while the residual has stopped falling; none: 40 implicit, 1000 explicit; 0: never
-  std::optional<int> settle_window{};
-  int max_iterations = 0;  ///< 0: 500 implicit, 50,000 explicit
+  /// Settled once the force coefficients, and what FlowProblem::monitored names, move less than this (the latter as a share of
+  /// their size where that is above 1) over settle_window iterations ...
+  double settle_tolerance = 1e-6;
+  std::optional<int> settle_window{};  ///< ... while the residual has stopped falling; none: usual_settle_window; 0: never
+  int max_iterations = 0;              ///< 0: usual_max_iterations
   int threads = 1;         ///< >= 1; the result is the same to the bit for any value
   /// The parts over which the residual and the Jacobian are threaded: one number a vertex, each below `parts` (a part
   /// may be empty). Empty: parts of the solver's own making. The result is the same to the bit for any parts.
   std::vector<std::uint32_t> part_of{};
   std::uint32_t parts = 0;
+  /// explicit_multistage: how strongly the steps of neighbouring vertices are brought together, >= 0; 0: not. With 0.15 the march
+  /// bears a CFL number of 7 instead of 4; more than 0.2 gains nothing. Nothing of it is left in the steady state.
+  double residual_smoothing = 0;
 };
+
+/// nishikawa_r3; in viscous flow at less than Mach 0.7, where no shock is to be expected, none: boundary layers lose accuracy by limiting.
+[[nodiscard]] constexpr LimiterKind usual_limiter(double mach, bool viscous) {
+  return viscous && mach < 0.7 ? LimiterKind::none : LimiterKind::nishikawa_r3;
+}
+[[nodiscard]] constexpr int usual_settle_window(Marching marching) { return marching == Marching::implicit_ptc ? 100 : 1000; }
+[[nodiscard]] constexpr int usual_max_iterations(Marching marching) { return marching == Marching::implicit_ptc ? 500 : 50'000; }
 
 }  // namespace leonhard

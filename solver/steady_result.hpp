@@ -21,11 +21,12 @@ struct Iteration {
   int linear_iterations{};  ///< since the previous line
   double seconds{};         ///< wall time since the start of solve_steady
   double cy{};              ///< space only
+  std::vector<double> monitored{};  ///< see FlowProblem::monitored
 };
 
 enum class Verdict {
-  converged,  ///< the residual fell by residual_drop_orders
-  settled,    ///< the residual hangs, the coefficients stand still within settle_tolerance
+  converged,  ///< the residual fell by residual_drop_orders, or to its rounding errors
+  settled,    ///< the residual hangs, coefficients and monitored quantities stand still within settle_tolerance
   stalled,    ///< the residual hangs, and the coefficients still move or the time step has shrunk to nothing
   diverged,   ///< no step could be taken from an unphysical state; `bad_vertex` names the first one
   iteration_limit,
@@ -74,6 +75,10 @@ template <int dim>
 struct SteadyResult {
   Verdict verdict{};
   std::string words;  ///< the verdict in a sentence, with its figures
+  bool at_rounding = false;  ///< the residual consists of rounding errors: it cannot fall further
+  /// What leaves through each marker of the boundary in a unit of time, in units of rho_inf c_inf times a facet's size, by the
+  /// scheme's own fluxes: in a steady state, and without sources, they add up to 0.
+  std::map<Marker, double> mass_flow;
   PerId<VertexId, State<dim>> state;
   Forces forces;  ///< over all walls
   std::map<Marker, Forces> forces_by_marker;

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "leonhard/app/case/section_reader.hpp"
 #include "leonhard/app/case/spelling.hpp"
@@ -185,25 +186,28 @@ void complete_boundaries(Case& c, CaseLog& log) {
 
 /// What goes with the kind of a boundary; values of other kinds are refused.
 void read_boundary_values(SectionReader& reader, BoundaryCase& boundary, bool listing) {
-  const auto has = [&](BoundaryKind kind, std::string_view word, std::initializer_list<std::string_view> keys) {
-    if (boundary.kind == kind || listing) return true;
-    for (const std::string_view key : keys) reader.refuse(key, fmt::format("only a {} has one", word));
+  const auto has = [&](std::initializer_list<BoundaryKind> kinds, std::string_view words, std::initializer_list<std::string_view> keys) {
+    if (listing || std::ranges::find(kinds, boundary.kind) != kinds.end()) return true;
+    for (const std::string_view key : keys) reader.refuse(key, fmt::format("only a {} has one", words));
     return false;
   };
-  if (has(BoundaryKind::no_slip_wall, "no-slip-wall", {"temperature", "velocity"})) {
-    boundary.temperature = reader.optional_number("temperature", above(0), "none: adiabatic");
-    boundary.velocity = reader.vector("velocity", "[0, 0]");
+  const auto value = [&](std::string_view key) { return reader.place_value(key, above(0), "1").value_or(1); };
+  if (has({BoundaryKind::no_slip_wall, BoundaryKind::far_field, BoundaryKind::supersonic_inflow},
+          "no-slip-wall, far-field or supersonic-inflow", {"temperature", "velocity"})) {
+    boundary.temperature = reader.place_value("temperature", above(0), "wall: none, adiabatic; else 1");
+    boundary.velocity = reader.place_vector("velocity", "wall: at rest; else that of the free stream");
   }
-  if (has(BoundaryKind::subsonic_inflow, "subsonic-inflow", {"total_pressure", "total_temperature", "direction"})) {
-    boundary.total_pressure = reader.number("total_pressure", boundary.total_pressure, above(0));
-    boundary.total_temperature = reader.number("total_temperature", boundary.total_temperature, above(0));
-    boundary.direction = reader.vector("direction", "normal to the boundary");
-    if (!boundary.direction.empty() && std::ranges::all_of(boundary.direction, [](double x) { return x == 0; }))
+  if (has({BoundaryKind::subsonic_inflow}, "subsonic-inflow", {"total_pressure", "total_temperature", "direction"})) {
+    boundary.total_pressure = value("total_pressure");
+    boundary.total_temperature = value("total_temperature");
+    boundary.direction = reader.place_vector("direction", "normal to the boundary");
+    if (!boundary.direction.empty() && std::ranges::all_of(boundary.direction, [](const PlaceValue& x) { return x == 0; }))
       throw InputError(reader.where("direction"), "the direction of the inflow is 0", "give a vector into the mesh");
   }
-  if (has(BoundaryKind::pressure_outflow, "pressure-outflow", {"pressure"}))
-    boundary.pressure = reader.number("pressure", boundary.pressure, above(0));
-  if (has(BoundaryKind::periodic, "periodic", {"partner", "translation"})) {
+  if (has({BoundaryKind::pressure_outflow, BoundaryKind::far_field, BoundaryKind::supersonic_inflow},
+          "pressure-outflow, far-field or supersonic-inflow", {"pressure"}))
+    boundary.pressure = reader.place_value("pressure", above(0), "1");
+  if (has({BoundaryKind::periodic}, "periodic", {"partner", "translation"})) {
     boundary.partner = reader.text("partner", "", "required");
     boundary.translation = reader.vector("translation", "found from the mesh");
     if (boundary.partner.empty() && !listing)
@@ -272,25 +276,29 @@ InitialCase read_initial(SectionReader initial) {
   if (!i.field.empty() && i.field.extension() != ".vtu")
     throw InputError(initial.where("field"), fmt::format("initial.field = \"{}\" is no .vtu", i.field.string()),
                      "give a field.vtu that solve wrote");
+  i.pressure = initial.place_value("pressure", above(0), "1");
+  i.temperature = initial.place_value("temperature", above(0), "1");
+  i.velocity = initial.place_vector("velocity", "that of the free stream");
+  if (!i.field.empty())
+    for (const auto key : {"pressure", "temperature", "velocity"}) initial.refuse(key, "initial.field has it");
   return i;
 }
 
-SolverCase read_solver(SectionReader solver) {
+SolverCase read_solver(SectionReader solver, const FlowCase& flow) {
   SolverCase s;
   s.marching = solver.choice("marching", std::optional(s.marching),
                              SectionReader::Words<Marching>(marching_words));
   s.order = static_cast<int>(solver.integer("order", s.order, 1, 2));
   s.flux = solver.choice("flux", std::optional(s.flux), SectionReader::Words<FluxKind>(flux_words));
   s.limiter =
-      solver.choice("limiter", std::optional(s.limiter), SectionReader::Words<LimiterKind>(limiter_words));
+      solver.choice("limiter", std::optional(usual_limiter(flow.mach, flow.reynolds.has_value())), SectionReader::Words<LimiterKind>(limiter_words));
   s.r3_k = solver.number("r3_k", s.r3_k, at_least(0));
   s.venkatakrishnan_k = solver.number("venkatakrishnan_k", s.venkatakrishnan_k, at_least(0));
   s.entropy_fix = solver.number("entropy_fix", s.entropy_fix, between(0, 1));
   s.residual_drop_orders =
       solver.number("residual_drop_orders", s.residual_drop_orders, {0, 16, true, false});
-  const int usual_iterations = s.marching == Marching::implicit_ptc ? 500 : 50'000;
   s.max_iterations = static_cast<int>(
-      solver.integer("max_iterations", usual_iterations, 1, 1'000'000'000, "500 implicit, 50000 explicit"));
+      solver.integer("max_iterations", usual_max_iterations(s.marching), 1, 1'000'000'000, "500 implicit, 50000 explicit"));
   s.cfl_start = solver.optional_number("cfl_start", above(0), "chosen by the marching");
   s.cfl_max = solver.optional_number("cfl_max", above(0), "chosen by the marching");
   if (s.cfl_start && s.cfl_max && *s.cfl_start > *s.cfl_max)
@@ -299,7 +307,10 @@ SolverCase read_solver(SectionReader solver) {
         fmt::format("solver.cfl_start = {} is above solver.cfl_max = {}", *s.cfl_start, *s.cfl_max),
         "raise cfl_max or lower cfl_start");
   s.settle_tolerance = solver.number("settle_tolerance", s.settle_tolerance, at_least(0));
-  s.settle_window = static_cast<int>(solver.integer("settle_window", s.settle_window, 0, 1'000'000'000));
+  s.settle_window = static_cast<int>(
+      solver.integer("settle_window", usual_settle_window(s.marching), 0, 1'000'000'000, "100 implicit, 1000 explicit"));
+  s.residual_smoothing = solver.number("residual_smoothing", s.residual_smoothing, at_least(0));
+  if (s.marching == Marching::implicit_ptc) solver.refuse("residual_smoothing", "only the explicit march smooths its residual");
   return s;
 }
 
@@ -315,6 +326,7 @@ OutputCase read_output(SectionReader output, const Case& c) {
           "give [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
     o.close_up = {box[0], box[1], box[2], box[3]};
   }
+  o.stations = output.list("stations", 12, "the middle of the walls");
   return o;
 }
 
@@ -347,7 +359,7 @@ Case read_sections(CaseLog& log, const toml::table* root) {
   read_boundaries(top, c, log);
   c.reference = read_reference(top.section("reference"));
   c.initial = read_initial(top.section("initial"));
-  c.solver = read_solver(top.section("solver"));
+  c.solver = read_solver(top.section("solver"), c.flow);
   c.ordering = top.section("order").choice("method", std::optional(c.ordering),
                                            SectionReader::Words<OrderChoice>(order_words));
   SectionReader partition = top.section("partition");
@@ -406,18 +418,16 @@ std::vector<KnownKey> known_keys() {
 
 void require_dimension(const Case& c, int dimension) {
   const std::set<std::string_view> of_plane{"farfield.vortex_correction", "partition.method", "partition.parts", "output.close_up"},
-      of_space{"flow.beta_deg", "reference.area"};
-  const auto key_of = [](const std::string& name) { return std::string_view(name).substr(name.rfind('.') + 1); };
+      of_space{"flow.beta_deg", "reference.area", "output.stations"};
   for (const KeyInForce& entry : c.keys) {
     if (entry.by_default) continue;
     if ((dimension == 2 ? of_space : of_plane).contains(entry.key))
       throw InputError(entry.where,
                        fmt::format("{} is given but the flow is one of {}", entry.key, dimension == 2 ? "the plane" : "space"),
                        "remove it");
-    const bool is_vector = entry.key == "reference.moment_centre" ||
-                           (entry.key.starts_with("boundary.") &&
-                            (key_of(entry.key) == "velocity" || key_of(entry.key) == "direction" || key_of(entry.key) == "translation"));
-    if (is_vector && std::ranges::count(entry.value, ',') + 1 != dimension)
+    const bool is_vector = entry.key == "reference.moment_centre" || entry.key == "initial.velocity" ||
+                           (entry.key.starts_with("boundary.") && entry.elements > 0);
+    if (is_vector && std::cmp_not_equal(entry.elements, dimension))
       throw InputError(entry.where, fmt::format("{} = {} in a flow of {}", entry.key, entry.value, dimension == 2 ? "the plane" : "space"),
                        fmt::format("give {} numbers", dimension));
   }

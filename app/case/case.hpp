@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "leonhard/app/case/keys.hpp"
+#include "leonhard/app/case/place_value.hpp"
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/point.hpp"
 #include "leonhard/solver/steady_options.hpp"
@@ -68,11 +69,12 @@ struct BoundaryCase {
   std::string name;   ///< for a marker given by its number: what to call it; else NAME itself
   std::string where;  ///< "case.toml:12"
   // Values of the kinds that have them; over those of the free stream.
-  std::optional<double> temperature{};                         ///< no_slip_wall; none: adiabatic
-  std::vector<double> velocity{};                              ///< no_slip_wall: in free-stream speeds; empty: at rest
-  double total_pressure = 1, total_temperature = 1;            ///< subsonic_inflow
-  std::vector<double> direction{};                             ///< subsonic_inflow; empty: normal to the boundary
-  double pressure = 1;                                         ///< pressure_outflow
+  std::optional<PlaceValue> temperature{};  ///< no_slip_wall: none: adiabatic; far_field, supersonic_inflow: none: 1
+  /// In free-stream speeds. no_slip_wall: empty: at rest; far_field, supersonic_inflow: empty: that of the free stream.
+  std::vector<PlaceValue> velocity{};
+  PlaceValue total_pressure = 1, total_temperature = 1;  ///< subsonic_inflow
+  std::vector<PlaceValue> direction{};                   ///< subsonic_inflow; empty: normal to the boundary
+  std::optional<PlaceValue> pressure{};                  ///< pressure_outflow, far_field, supersonic_inflow; none: 1
   std::string partner{};              ///< periodic: the other side's NAME
   std::string section{};              ///< NAME
   std::vector<double> translation{};  ///< periodic: from this side to its partner; empty: found from the mesh
@@ -85,14 +87,18 @@ struct ReferenceCase {
 };
 
 struct InitialCase {
-  std::filesystem::path field;  ///< a field.vtu of another run; empty: the free stream
+  std::filesystem::path field;  ///< a field.vtu of another run; empty: what follows
+  std::optional<PlaceValue> pressure{}, temperature{};  ///< over those of the free stream; none: 1
+  std::vector<PlaceValue> velocity{};                   ///< in free-stream speeds; empty: that of the free stream
+
+  [[nodiscard]] bool has_values() const { return pressure || temperature || !velocity.empty(); }
 };
 
 struct SolverCase {
   Marching marching = SteadyOptions{}.marching;
   int order = 2;
   FluxKind flux = SteadyOptions{}.flux;
-  LimiterKind limiter = SteadyOptions{}.limiter;
+  LimiterKind limiter = usual_limiter(0, false);
   double r3_k = SteadyOptions{}.r3_k;
   double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double residual_drop_orders = 8;
@@ -101,12 +107,14 @@ struct SolverCase {
   std::optional<double> cfl_start;  ///< none: chosen by the marching kind
   std::optional<double> cfl_max;
   double settle_tolerance = 1e-6;
-  int settle_window = 200;
+  int settle_window = 100;  ///< default 100 implicit, 1000 explicit
+  double residual_smoothing = 0;  ///< explicit only
 };
 
 struct OutputCase {
   std::filesystem::path folder;                   ///< relative to the current folder
   std::optional<std::array<double, 4>> close_up;  ///< xmin, ymin, xmax, ymax of the close-up pictures
+  std::vector<double> stations;                   ///< y of the planes on which Cp is drawn, space only; empty: the middle of the walls
 };
 
 /// A case: plain data, read and checked by read_case. Either mesh_file, or domain_file, or bodies is set.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace leonhard::app {
@@ -11,6 +12,7 @@ struct KeyInForce {
   std::string value;  ///< as TOML
   bool by_default = false;
   std::string where{};  ///< "case.toml:12"; of the section or the file where it is by default
+  std::size_t elements = 0;  ///< of a vector; 0 of other keys
 };
 
 /// One key a case file may have: what docs/case-file.md must tell about.

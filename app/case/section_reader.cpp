@@ -34,9 +34,9 @@ std::vector<std::string> keys_below(const std::string& prefix, std::span<const K
   return keys;
 }
 
-/// The value as the user wrote it, or as near as toml++ can print it; tables and arrays are named by their kind.
+/// The value as the user wrote it, or as near as toml++ can print it; sections and arrays of them are named by their kind.
 std::string shown_value(const toml::node& node) {
-  if (node.is_table()) return "a section";
+  if (node.is_table() && !node.as_table()->is_inline()) return "a section";
   if (node.is_array_of_tables()) return "a list of sections";
   if (const auto number = node.value_exact<double>()) return as_toml(*number);
   if (const auto text = node.value_exact<std::string>()) return as_toml(std::string_view(*text));
@@ -233,6 +233,10 @@ std::vector<double> SectionReader::numbers(std::string_view key, std::size_t cou
   return checked_numbers(key, count, count, fmt::format("{} finite numbers in brackets", count), std::move(fallback));
 }
 
+std::vector<double> SectionReader::list(std::string_view key, std::size_t most, std::string fallback) {
+  return checked_numbers(key, 1, most, fmt::format("1 to {} finite numbers in brackets", most), std::move(fallback));
+}
+
 std::vector<double> SectionReader::vector(std::string_view key, std::string fallback) {
   return checked_numbers(key, 2, 3, "2 finite numbers in brackets, in space 3", std::move(fallback));
 }
@@ -252,7 +256,83 @@ std::vector<double> SectionReader::checked_numbers(std::string_view key, std::si
     shown += (shown.empty() ? "[" : ", ") + as_toml(*value);
   }
   in_force(key, shown + "]", false);
+  log_.in_force.back().elements = values.size();
   return values;
+}
+
+std::optional<PlaceValue> SectionReader::place_value(std::string_view key, Range range, std::string_view fallback_words) {
+  const std::string expected = range.words() + ", or of the place";
+  const toml::node* node = take(key, expected, std::string(fallback_words));
+  if (!node) return in_force(key, std::string(fallback_words), true), std::nullopt;
+  PlaceValue value = value_of(key, *node, range, expected);
+  in_force(key, shown_value(*node), false);
+  return value;
+}
+
+std::vector<PlaceValue> SectionReader::place_vector(std::string_view key, std::string fallback) {
+  const std::string expected = "2 finite numbers in brackets, in space 3, or of the place";
+  const toml::node* node = take(key, expected, fallback);
+  if (!node) return in_force(key, std::move(fallback), true), std::vector<PlaceValue>{};
+  const toml::array* array = node->as_array();
+  if (!array || array->size() < 2 || array->size() > 3) wrong(key, *node, expected);
+  std::vector<PlaceValue> values;
+  std::string shown;
+  for (const toml::node& element : *array) {
+    values.push_back(value_of(key, element, {}, expected));
+    shown += (shown.empty() ? "[" : ", ") + shown_value(element);
+  }
+  in_force(key, shown + "]", false);
+  log_.in_force.back().elements = values.size();
+  return values;
+}
+
+PlaceValue SectionReader::value_of(std::string_view key, const toml::node& node, const Range& range,
+                                   const std::string& expected) const {
+  if (node.is_number()) return checked_number(key, node, range);
+  if (!node.is_string() && !node.is_table()) wrong(key, node, expected);
+  PlaceValue::Function of = node.is_string() ? formula(key, node) : table_along(key, *node.as_table(), range);
+  const auto checked = [of = std::move(of), range, name = path(key), line = line_of(log_, node)](const Point3& at) {
+    const double value = of(at);
+    if (!std::isfinite(value) || !range.contains(value))
+      throw InputError(line, fmt::format("{} is {} at ({}, {}, {})", name, value, at.x, at.y, at.z),
+                       fmt::format("it takes {} at every place", range.words()));
+    return value;
+  };
+  return {checked, shown_value(node)};
+}
+
+PlaceValue::Function SectionReader::formula(std::string_view key, const toml::node& node) const {
+  const std::string text = *node.value_exact<std::string>();
+  try {
+    return parse_formula(text);
+  } catch (const FormulaError& error) {
+    const std::string place = error.column > 0 ? fmt::format(", column {} of the formula", error.column) : "";
+    throw InputError(line_of(log_, node), fmt::format("{} = {}: {}{}", path(key), as_toml(std::string_view(text)), error.what(), place),
+                     "give a formula of x, y and z, such as \"1 + 0.1*sin(pi*y)\"");
+  }
+}
+
+PlaceValue::Function SectionReader::table_along(std::string_view key, const toml::table& table, const Range& range) const {
+  constexpr auto remedy = "give { along = \"y\", at = [0, 0.5, 1], values = [1, 0.9, 1] }";
+  const auto refuse_it = [&](const std::string& problem) {
+    throw InputError(line_of(log_, table), fmt::format("{}: {}", path(key), problem), remedy);
+  };
+  for (const auto& [name, node] : table)
+    if (name.str() != "along" && name.str() != "at" && name.str() != "values")
+      refuse_it(fmt::format("a table has no \"{}\"", name.str()));
+  const toml::node* along = table.get("along");
+  if (!along || !along->is_string()) refuse_it("the table does not say along which coordinate");
+  const auto list = [&](const char* name, const Range& of) {
+    std::vector<double> numbers;
+    const toml::node* node = table.get(name);
+    if (!node || !node->is_array() || node->as_array()->empty()) refuse_it(fmt::format("the table has no list \"{}\"", name));
+    for (const toml::node& element : *node->as_array()) numbers.push_back(checked_number(key, element, of));
+    return numbers;
+  };
+  std::vector<double> at = list("at", {}), values = list("values", range);
+  if (at.size() != values.size()) refuse_it(fmt::format("the table has {} places and {} values", at.size(), values.size()));
+  if (std::ranges::adjacent_find(at, std::greater_equal<>()) != at.end()) refuse_it("the table's places do not ascend");
+  return interpolate(formula(key, *along), std::move(at), std::move(values));
 }
 
 std::size_t SectionReader::choose(std::string_view key, std::optional<std::size_t> fallback,

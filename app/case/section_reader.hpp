@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "leonhard/app/case/keys.hpp"
+#include "leonhard/app/case/place_value.hpp"
 
 namespace leonhard::app {
 
@@ -93,8 +94,15 @@ class SectionReader {
   [[nodiscard]] std::filesystem::path existing_file(std::string_view key);
   /// `count` finite numbers; empty if not given.
   [[nodiscard]] std::vector<double> numbers(std::string_view key, std::size_t count, std::string fallback);
+  /// Up to `most` finite numbers; empty if not given.
+  [[nodiscard]] std::vector<double> list(std::string_view key, std::size_t most, std::string fallback);
   /// Two finite numbers, or three in space (require_dimension); empty if not given.
   [[nodiscard]] std::vector<double> vector(std::string_view key, std::string fallback);
+  /// A number in a range, a formula of the place (text) or a table along a line; its value is checked again at each place, with an
+  /// InputError. None if not given.
+  [[nodiscard]] std::optional<PlaceValue> place_value(std::string_view key, Range range, std::string_view fallback_words);
+  /// As vector, each element as place_value.
+  [[nodiscard]] std::vector<PlaceValue> place_vector(std::string_view key, std::string fallback);
 
   template <class Value>
   using Words = std::span<const std::pair<std::string_view, Value>>;
@@ -133,6 +141,9 @@ class SectionReader {
   std::vector<double> checked_numbers(std::string_view key, std::size_t least, std::size_t most,
                                       const std::string& expected, std::string fallback);
   double checked_number(std::string_view key, const toml::node&, const Range&) const;
+  PlaceValue value_of(std::string_view key, const toml::node&, const Range&, const std::string& expected) const;
+  PlaceValue::Function formula(std::string_view key, const toml::node&) const;
+  PlaceValue::Function table_along(std::string_view key, const toml::table&, const Range&) const;
   void in_force(std::string_view key, std::string value, bool by_default);
   std::size_t choose(std::string_view key, std::optional<std::size_t> fallback,
                      std::span<const std::string_view> names);

@@ -7,6 +7,9 @@
 #include <CLI/Version.hpp>
 #include <boost/version.hpp>
 #include <nlohmann/detail/abi_macros.hpp>
+#include <vector>
+
+#include "leonhard/solver/support/axes.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -52,7 +55,8 @@ Json flow_json(const FlowRun<dim>& run) {
                  {"words", run.flow.words}};
   report.update(forces_json<dim>(run.flow.forces, viscous));
   const Iteration last = run.flow.history.empty() ? Iteration{} : run.flow.history.back();
-  report.update(Json{{"iterations", last.number}, {"residual_drop_orders", last.residual_drop_orders}});
+  report.update(Json{{"iterations", last.number}, {"residual_drop_orders", last.residual_drop_orders},
+                     {"residual_at_rounding", run.flow.at_rounding}});
   Json bodies = Json::array();
   for (const auto& [marker, forces] : run.flow.forces_by_marker) {
     Json body = {{"name", run.conditions.at(marker).name}, {"marker", marker}};
@@ -60,6 +64,20 @@ Json flow_json(const FlowRun<dim>& run) {
     bodies.push_back(std::move(body));
   }
   report["bodies"] = std::move(bodies);
+  Json boundaries = Json::array();
+  for (const auto& [marker, flow] : run.flow.mass_flow)
+    boundaries.push_back({{"name", run.conditions.at(marker).name},
+                          {"kind", to_string(run.conditions.at(marker).kind)},
+                          {"mass_flow_out", flow / c.flow.mach}});
+  report["boundaries"] = std::move(boundaries);
+  if (!run.flow.worst.empty()) {
+    Json worst = Json::array();
+    for (const auto& part : run.flow.worst) {
+      const auto at = solver::axes(part.at);
+      worst.push_back({{"at", Json(std::vector<double>(at.begin(), at.end()))}, {"share", part.share}});
+    }
+    report["worst_vertices"] = std::move(worst);
+  }
   report["flow"] = conditions_json<dim>(c.flow);
   Json reference = {{"length", c.reference.length}};
   if (dim == 3) reference["area"] = c.reference.area;

@@ -172,6 +172,23 @@ std::string pictures_section(const std::vector<ReportPicture>& pictures) {
   return out + "</div>\n";
 }
 
+namespace {
+
+template <int dim>
+std::string mass_flows(const FlowRun<dim>& run) {
+  std::string out = "<h2>Mass flow</h2>\n<table>" + head_row({"boundary", "kind", "out"});
+  double sum = 0;
+  for (const auto& [marker, flow] : run.flow.mass_flow) {
+    out += row({escaped(run.conditions.at(marker).name), std::string(to_string(run.conditions.at(marker).kind)),
+                fmt::format("{:.9g}", flow / run.the_case.flow.mach)});
+    sum += flow / run.the_case.flow.mach;
+  }
+  return out + row({"<b>all</b>", "", fmt::format("<b>{:.2g}</b>", sum)}) +
+         "</table>\n<p class=lead>In units of the free stream’s density, speed and the mesh’s length, by the scheme’s own fluxes.</p>\n";
+}
+
+}  // namespace
+
 template <int dim>
 std::string forces_section(const FlowRun<dim>& run) {
   const bool viscous = run.the_case.flow.reynolds.has_value();
@@ -187,7 +204,8 @@ std::string forces_section(const FlowRun<dim>& run) {
   const ReferenceCase& reference = run.the_case.reference;
   out += row(all) + fmt::format("</table>\n<p class=lead>Referred to a length of {:g}", reference.length);
   if (dim == 3) out += fmt::format(" and an area of {:g}", reference.area);
-  return out + fmt::format("; moment about ({}), nose up positive.</p>\n", coordinates(reference.moment_centre, dim));
+  return out + fmt::format("; moment about ({}), nose up positive.</p>\n", coordinates(reference.moment_centre, dim)) +
+         mass_flows(run);
 }
 
 std::string numberings_table(const RunCommon& run) {

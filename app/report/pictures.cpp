@@ -10,6 +10,7 @@
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/report/album.hpp"
 #include "leonhard/app/report/matrix_picture.hpp"
+#include "leonhard/app/report/stream_function.hpp"
 #include "leonhard/app/report/vorticity.hpp"
 #include "leonhard/mesh/draw/draw.hpp"
 
@@ -83,6 +84,62 @@ class PlanePictures {
                       .contour_lines = false});
     add("Loss of total pressure",
         "What shocks, friction and the scheme's own errors take from the total pressure of the free stream.");
+  }
+  void entropy() {
+    std::vector<double> values;
+    for (const State<2>& state : run_.flow.state) values.push_back(solver::entropy_ratio({run_.the_case.flow.gamma}, state) - 1);
+    draw::draw_field(path("entropy.png"), run_.mesh, values,
+                     {.view = close_up(run_),
+                      .title = run_.the_case.title + ": entropy",
+                      .value_label = "p / ρ^γ over that of the free stream − 1",
+                      .contour_lines = false});
+    add("Entropy", "Where shocks, friction and heat made entropy; where there are none, what the scheme made.");
+  }
+  /// White where the density is even, the darker the steeper, as in a schlieren photograph.
+  void schlieren() {
+    constexpr double darkness = 6;
+    std::vector<double> values = density_slopes(run_.mesh, run_.flow.state);
+    const double most = nearly_largest(values);
+    if (!(most > 0)) return;
+    for (double& value : values) value = std::exp(-darkness * std::min(value / most, 2.0));
+    draw::draw_field(path("schlieren.png"), run_.mesh, values,
+                     {.view = close_up(run_),
+                      .title = run_.the_case.title + ": numerical schlieren",
+                      .value_label = "even density light, steep dark",
+                      .colour_map = draw::ColourMap::grey,
+                      .value_range = draw::Range{0, 1},
+                      .bands = 100,
+                      .contour_lines = false});
+    add("Numerical schlieren", "The steeper the density the darker: shocks, expansions, boundary layers and wakes.");
+  }
+  void streamlines() {
+    const VertexId zero = run_.flow.surface.empty() ? VertexId{} : run_.flow.surface.front().points.front().vertex;
+    const std::vector<double> psi = stream_function(run_.mesh, run_.edges, run_.flow.state, zero);
+    draw::FieldOptions options{.view = close_up(run_),
+                               .title = run_.the_case.title + ": streamlines",
+                               .value_label = "Mach number",
+                               .lines_of = psi,
+                               .line_levels = stream_levels(psi)};
+    if (options.line_levels.empty()) return;
+    draw::draw_field(path("streamlines.png"), run_.mesh, mach_numbers(run_), options);
+    add("Streamlines", run_.flow.stresses.empty()
+                           ? "Contour lines of the stream function, as much mass between each two of them; colours tell the Mach number."
+                           : "Contour lines of the stream function, as much mass between each two of them, closer ones near the walls' own value; colours "
+                             "tell the Mach number.");
+  }
+  /// The vertices that keep the residual up, where the march did not get it down.
+  void worst() {
+    if (run_.flow.worst.empty()) return;
+    draw::MeshOptions options{.title = run_.the_case.title + ": where the residual hangs"};
+    GrowingBox box;
+    for (const auto& share : run_.flow.worst) options.marks.push_back(share.at), box.add(share.at);
+    const VertexId first = run_.flow.worst.front().vertex;
+    for (const auto& ends : run_.edges.ends)  // at least some cells about the first one
+      if (ends[0] == first || ends[1] == first)
+        for (const VertexId v : ends) box.add(run_.mesh.points[first] + 4.0 * (run_.mesh.points[v] - run_.mesh.points[first]));
+    options.view = {box.with_margin(0.2)};
+    draw::draw_mesh(path("worst.png"), run_.mesh, options);
+    add("Where the residual hangs", "Rings about the up to ten vertices that carry most of what is left of the residual.");
   }
   void vorticity() {
     std::vector<double> values = app::vorticity(run_.mesh, run_.flow.state);
@@ -165,16 +222,36 @@ class PlanePictures {
     }
     return curves;
   }
+  [[nodiscard]] bool in_view(const draw::View& view, Point2 p) const {
+    return !view.region || (p.x > view.region->low.x && p.x < view.region->high.x && p.y > view.region->low.y &&
+                            p.y < view.region->high.y);
+  }
+  /// About thirty levels half a step off the walls' value 0; by friction there are finer ones near it, to show what runs back.
+  [[nodiscard]] std::vector<double> stream_levels(const std::vector<double>& psi) const {
+    const draw::View view = close_up(run_);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const VertexId v : run_.mesh.points.ids())
+      if (in_view(view, run_.mesh.points[v])) {
+        low = std::min(low, psi[v.index()]);
+        high = std::max(high, psi[v.index()]);
+      }
+    const double step = (high - low) / 30;
+    std::vector<double> levels;
+    if (!(step > 0)) return levels;
+    // The picture shows more than was asked for, above and below or beside it, until it has its shape.
+    const double first = std::floor(low / step) - 29.5;
+    for (int k = 0; k < 91; ++k) levels.push_back((first + k) * step);
+    if (!run_.flow.stresses.empty())
+      for (const double part : {0.2, 0.06, 0.015}) levels.insert(levels.end(), {-part * step, part * step});
+    std::ranges::sort(levels);
+    return levels;
+  }
   /// Of all values in view the one that only every fiftieth exceeds, by amount.
   double nearly_largest(const std::vector<double>& values) const {
     const draw::View view = close_up(run_);
     std::vector<double> amounts;
-    for (const VertexId v : run_.mesh.points.ids()) {
-      const Point2 p = run_.mesh.points[v];
-      const bool in_view = !view.region || (p.x > view.region->low.x && p.x < view.region->high.x &&
-                                            p.y > view.region->low.y && p.y < view.region->high.y);
-      if (in_view) amounts.push_back(std::abs(values[v.index()]));
-    }
+    for (const VertexId v : run_.mesh.points.ids())
+      if (in_view(view, run_.mesh.points[v])) amounts.push_back(std::abs(values[v.index()]));
     if (amounts.empty()) return 0;
     const auto at = amounts.begin() + static_cast<std::ptrdiff_t>(amounts.size() - 1 - amounts.size() / 50);
     std::nth_element(amounts.begin(), at, amounts.end());
@@ -194,8 +271,12 @@ std::vector<ReportPicture> draw_pictures(const SolveRun& run, const std::filesys
   album.mach();
   album.cp();
   album.friction();
+  album.streamlines();
+  album.schlieren();
+  album.entropy();
   album.loss();
   album.vorticity();
+  album.worst();
   album.history();
   album.mesh_close();
   album.mesh_whole();

@@ -95,30 +95,19 @@ class SpacePictures {
     album_.add("Mach number on a section", fmt::format("The plane y = {:.4g}, the middle of the walls.", middle_));
   }
 
-  /// Cp where that plane cuts the walls.
+  /// Cp where planes across the span cut the walls.
   void cp() {
+    std::vector<double> stations = run_.the_case.output.stations;
+    if (stations.empty()) stations.push_back(middle_);
     std::vector<draw::Curve> curves;
-    constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-    std::vector<double> x_of;
-    for (const Point3& p : run_.mesh.points) x_of.push_back(p.x);
-    for (const auto& [marker, triangles] : walls_.by_marker) {
-      draw::Curve curve{.name = run_.conditions.at(marker).name, .x = {}, .y = {}};
-      for (const SectionSegment& segment : mesh::plane_section(run_.mesh.points, triangles, SpaceAxis::y, middle_)) {
-        for (const SectionPoint& point : segment) {
-          curve.x.push_back(point.of(x_of));
-          curve.y.push_back(point.of(values_of(fields_, "cp")));
-        }
-        curve.x.push_back(gap), curve.y.push_back(gap);
-      }
-      if (!curve.x.empty()) curves.push_back(std::move(curve));
-    }
+    for (const double y : stations) add_cp(y, stations.size() > 1, curves);
     if (curves.empty()) return;
+    const std::string where = stations.size() > 1 ? "" : fmt::format(" at y = {:.4g}", stations.front());
     draw::draw_curves(album_.path("cp.png"), curves,
-                      {.title = fmt::format("Pressure coefficient on the walls at y = {:.4g}", middle_),
-                       .x_label = "x",
-                       .y_label = "Cp",
-                       .invert_y = true});
-    album_.add("Pressure coefficient", "Cp along the walls on that plane, low pressure upwards as is the custom.");
+                      {.title = "Pressure coefficient on the walls" + where, .x_label = "x", .y_label = "Cp", .invert_y = true});
+    album_.add("Pressure coefficient", stations.size() > 1
+                                           ? "Cp along the walls on planes across the span, low pressure upwards as is the custom."
+                                           : "Cp along the walls on that plane, low pressure upwards as is the custom.");
   }
 
   void history() { album_.add_history(run_.flow.history); }
@@ -131,6 +120,25 @@ class SpacePictures {
   [[nodiscard]] std::vector<ReportPicture> take() { return album_.take(); }
 
  private:
+  /// A curve a wall that the plane cuts.
+  void add_cp(double y, bool tell_the_plane, std::vector<draw::Curve>& curves) const {
+    constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> x_of;
+    for (const Point3& p : run_.mesh.points) x_of.push_back(p.x);
+    for (const auto& [marker, triangles] : walls_.by_marker) {
+      draw::Curve curve{.name = run_.conditions.at(marker).name, .x = {}, .y = {}};
+      if (tell_the_plane) curve.name += fmt::format(", y = {:.4g}", y);
+      for (const SectionSegment& segment : mesh::plane_section(run_.mesh.points, triangles, SpaceAxis::y, y)) {
+        for (const SectionPoint& point : segment) {
+          curve.x.push_back(point.of(x_of));
+          curve.y.push_back(point.of(values_of(fields_, "cp")));
+        }
+        curve.x.push_back(gap), curve.y.push_back(gap);
+      }
+      if (!curve.x.empty()) curves.push_back(std::move(curve));
+    }
+  }
+
   /// The walls with a margin, but no more than the section.
   draw::View view_of(const TriangleMesh& section) const {
     if (walls_.all.empty()) return {};

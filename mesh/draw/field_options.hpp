@@ -25,6 +25,10 @@ struct FieldOptions {
   std::vector<double>
       levels{};  ///< or the levels themselves, strictly rising; those beyond the range do not show
   bool contour_lines = true;
+  /// One value a vertex of another field whose contour lines, at `line_levels`, are drawn in place of this one's: streamlines over
+  /// pressures, say.
+  std::vector<double> lines_of{};
+  std::vector<double> line_levels{};     ///< strictly rising
   std::optional<double> dashed_below{};  ///< contour lines of levels below this value are dashed
   bool show_mesh = false;
 };

@@ -62,6 +62,7 @@ class MeshPicture {
                  filled ? 0.6 : 0.9);
     if (options_.show_vertices) mark_vertices(scene);
     colour_boundaries(scene);
+    ring_marks(scene);
     draw_axes(canvas_, frame, text_);
     draw_legend(canvas_, frame.area, legend_, options_.legend, scene.page());
     if (with_bar) {
@@ -97,6 +98,18 @@ class MeshPicture {
       if (p.x < safe.left || p.x > safe.right() || p.y < safe.top || p.y > safe.bottom()) continue;
       canvas_.circle(p, 1.9 * canvas_.thin());
       canvas_.fill(ink);
+    }
+    canvas_.end_clip();
+  }
+
+  void ring_marks(const MeshScene& scene) {
+    canvas_.begin_clip(scene.frame().area);
+    const Rect safe = scene.safe();
+    for (const Point2 mark : options_.marks) {
+      const Point2 p = scene.frame().page(mark);
+      if (p.x < safe.left || p.x > safe.right() || p.y < safe.top || p.y > safe.bottom()) continue;
+      canvas_.circle(p, 0.5 * canvas_.text_size());
+      canvas_.stroke({{0.8, 0.1, 0.1}, 2.2});
     }
     canvas_.end_clip();
   }

@@ -37,6 +37,7 @@ struct MeshOptions {
   MeshFill fill = MeshFill::none;
   bool colour_boundaries = true;  ///< one colour a marker, with a legend of the mesh's names; else all dark
   bool show_vertices = false;
+  std::vector<Point2> marks{};  ///< rings about these points
   LegendPlace legend = LegendPlace::automatic;
 };
 

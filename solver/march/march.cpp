@@ -9,9 +9,32 @@
 namespace leonhard::solver {
 namespace {
 
-SpatialOptions spatial_options(const SteadyOptions& o) {
-  const double k = o.limiter == LimiterKind::nishikawa_r3 ? o.r3_k : o.venkatakrishnan_k;
-  return {o.order, o.flux, o.limiter, k, o.entropy_fix, o.threads, o.part_of, o.parts};
+template <int dim>
+SpatialOptions spatial_options(const FlowProblem<dim>& problem, const SteadyOptions& o) {
+  const LimiterKind limiter = o.limiter.value_or(usual_limiter(problem.free_stream.mach, problem.viscosity.has_value()));
+  const double k = limiter == LimiterKind::nishikawa_r3 ? o.r3_k : o.venkatakrishnan_k;
+  return {o.order, o.flux, limiter, k, o.entropy_fix, o.threads, o.part_of, o.parts};
+}
+
+/// Means over the volume, over those of the free stream: what is watched where there are no forces.
+template <int dim>
+std::vector<double> mean_energy_and_pressure(const FlowProblem<dim>& problem, const PerId<VertexId, State<dim>>& state) {
+  double volume = 0, kinetic = 0, pressure = 0;
+  for (const VertexId v : state.ids()) {
+    const double share = problem.dual.volume[v];
+    volume += share;
+    kinetic += share * state[v].rho * dot(velocity(state[v]), velocity(state[v]));
+    pressure += share * state[v].p * problem.gas.gamma;
+  }
+  return {kinetic / (volume * problem.free_stream.mach * problem.free_stream.mach), pressure / volume};
+}
+
+template <int dim>
+std::vector<double> monitored_quantities(const FlowProblem<dim>& problem, const PerId<VertexId, State<dim>>& state) {
+  std::vector<double> values;
+  for (const auto& [name, quantity] : problem.monitored) values.push_back(quantity(state));
+  const auto has_forces = [](const auto& entry) { return is_wall(entry.second.kind); };
+  return values.empty() && std::ranges::none_of(problem.boundary, has_forces) ? mean_energy_and_pressure(problem, state) : values;
 }
 
 /// What rounding leaves of a residual norm: some units in the last place of the fluxes about each vertex, which in
@@ -30,7 +53,7 @@ March<dim>::March(const FlowProblem<dim>& p, const SteadyOptions& o, Convergence
       options(o),
       book(b),
       stop(std::move(s)),
-      spatial(p, spatial_options(o)),
+      spatial(p, spatial_options(p, o)),
       state(p.initial.empty()
                 ? PerId<VertexId, State<dim>>(p.dual.vertex_count(), free_stream_state<dim>(p.gas, p.free_stream))
                 : p.initial) {
@@ -58,10 +81,11 @@ std::optional<Verdict> March<dim>::record(int number) {
   const Forces forces = total(wall_forces(problem, state, stresses));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double drop = norm > 0 && first_norm > 0 ? std::log10(first_norm / norm) : 0;
-  const Iteration iteration{number, drop, forces.cl, forces.cd, forces.cm, cfl, linear_iterations, seconds, forces.cy};
+  const Iteration iteration{number, drop, forces.cl, forces.cd, forces.cm, cfl, linear_iterations, seconds, forces.cy,
+                            monitored_quantities(problem, state)};
   linear_iterations = 0;
   // A start that is the solution already (an empty channel, say) counts as converged: nothing is left to reduce.
-  return book.record(iteration, norm <= rounding);
+  return book.record(iteration, norm / rounding);
 }
 
 template <int dim>

@@ -27,21 +27,29 @@ bool ConvergenceMonitor::coefficients_stand_still(std::size_t window) const {
         std::minmax_element(history_.end() - static_cast<std::ptrdiff_t>(window), history_.end(), by);
     if ((*high).*coefficient - (*low).*coefficient > settle_tolerance_) return false;
   }
+  for (std::size_t k = 0; k < history_.back().monitored.size(); ++k) {
+    const auto by = [&](const Iteration& a, const Iteration& b) { return a.monitored[k] < b.monitored[k]; };
+    const auto [low, high] =
+        std::minmax_element(history_.end() - static_cast<std::ptrdiff_t>(window), history_.end(), by);
+    const double size = std::max(1.0, std::abs(high->monitored[k]));
+    if (!(high->monitored[k] - low->monitored[k] <= settle_tolerance_ * size)) return false;
+  }
   return true;
 }
 
-std::optional<Verdict> ConvergenceMonitor::record(const Iteration& iteration, bool at_rounding) {
+std::optional<Verdict> ConvergenceMonitor::record(const Iteration& iteration, double over_rounding) {
   best_so_far_.push_back(history_.size() == window_begin_
                              ? iteration.residual_drop_orders
                              : std::max(best_so_far_.back(), iteration.residual_drop_orders));
   history_.push_back(iteration);
   if (report_) report_(iteration);
-  if (at_rounding || iteration.residual_drop_orders >= drop_orders_) return Verdict::converged;
-  if (stop_.stop_requested()) return Verdict::stopped;
   const std::size_t count = history_.size();
   const auto hangs_for = [&](std::size_t span) {
     return count > window_begin_ + span && best_so_far_.back() - best_so_far_[count - 1 - span] < falling;
   };
+  at_rounding_ = over_rounding <= 1 || (over_rounding <= near_rounding && hangs_for(rounding_window));
+  if (at_rounding_ || iteration.residual_drop_orders >= drop_orders_) return Verdict::converged;
+  if (stop_.stop_requested()) return Verdict::stopped;
   if (window_ > 0 && hangs_for(window_) && coefficients_stand_still(window_)) return Verdict::settled;
   if (window_ > 0 && hangs_for(3 * window_)) return Verdict::stalled;
   if (iteration.number >= max_iterations_) return Verdict::iteration_limit;
@@ -151,7 +159,7 @@ std::string describe(const std::vector<ResidualShare<dim>>& worst, const MeshDua
 }
 
 template <int dim>
-std::string describe(Verdict verdict, const std::vector<Iteration>& history,
+std::string describe(Verdict verdict, bool at_rounding, const std::vector<Iteration>& history,
                      const std::optional<BadVertex<dim>>& bad, const MeshDual<dim>& dual) {
   std::ostringstream out;
   out.precision(4);
@@ -161,9 +169,10 @@ std::string describe(Verdict verdict, const std::vector<Iteration>& history,
   else
     out << " after " << history.back().number << " iterations, residual down "
         << history.back().residual_drop_orders << " orders";
+  if (at_rounding) out << " to its rounding errors, below which there is nothing to solve";
   switch (verdict) {
     case Verdict::settled:
-      out << "; it hangs there, but the coefficients stand still";
+      out << "; it hangs there, but the coefficients and all that is monitored stand still";
       break;
     case Verdict::stalled:
       out << "; it hangs there, and the coefficients do not stand still or the time step has shrunk to nothing";
@@ -186,7 +195,7 @@ std::string describe(Verdict verdict, const std::vector<Iteration>& history,
   template std::vector<ResidualShare<dim>> worst_vertices(const FlowProblem<dim>&, const PerId<VertexId, State<dim>>&,    \
                                                           const std::vector<double>&, std::size_t);                       \
   template std::string describe(const std::vector<ResidualShare<dim>>&, const MeshDual<dim>&);                           \
-  template std::string describe(Verdict, const std::vector<Iteration>&, const std::optional<BadVertex<dim>>&,             \
+  template std::string describe(Verdict, bool, const std::vector<Iteration>&, const std::optional<BadVertex<dim>>&,             \
                                 const MeshDual<dim>&);
 LEONHARD_MONITOR(2)
 LEONHARD_MONITOR(3)

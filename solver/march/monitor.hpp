@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -15,21 +16,27 @@ namespace leonhard::solver {
 
 /// Keeps the history and says when to stop.
 ///
-/// converged        the residual fell far enough, or to what rounding leaves of it
-/// settled          over the window cl, cd, cm and cy moved less than the tolerance while the residual's best value fell by
+/// converged        the residual fell far enough, or to what rounding leaves of it, or hangs near that
+/// settled          over the window cl, cd, cm, cy and all monitored quantities moved less than the tolerance while the residual's best value fell by
 ///                  less than `falling` orders
 /// stalled          over three windows the residual's best value fell by less than `falling` orders
 /// iteration_limit  as it says
 class ConvergenceMonitor {
  public:
   static constexpr double falling = 0.2;
+  static constexpr double near_rounding = 30;        ///< times the rounding errors: a residual that hangs below is one of them ...
+  static constexpr std::size_t rounding_window = 8;  ///< ... once it has for this many iterations
 
   ConvergenceMonitor(const SteadyOptions& options, int window, int max_iterations,
                      std::function<void(const Iteration&)> report, std::stop_token stop);
 
   /// Take one iteration down, report it, and answer whether that ends the march.
-  /// at_rounding  the residual is no greater than the rounding errors of the fluxes in it
-  [[nodiscard]] std::optional<Verdict> record(const Iteration& iteration, bool at_rounding = false);
+  /// over_rounding  the residual over the rounding errors of the fluxes in it
+  [[nodiscard]] std::optional<Verdict> record(const Iteration& iteration,
+                                              double over_rounding = std::numeric_limits<double>::infinity());
+
+  /// Whether the last residual consists of rounding errors.
+  [[nodiscard]] bool at_rounding() const { return at_rounding_; }
 
   /// Forget how the residual fell so far: the windows begin with the next iteration.
   void restart_window() { window_begin_ = history_.size(); }
@@ -47,6 +54,7 @@ class ConvergenceMonitor {
   std::vector<Iteration> history_;
   std::vector<double> best_so_far_;  ///< drop since window_begin_, one an iteration
   std::size_t window_begin_ = 0;
+  bool at_rounding_ = false;
 };
 
 /// The first vertex whose state is unphysical, or else whose residual is not finite, with what lies next to it.
@@ -69,7 +77,7 @@ template <int dim>
 
 /// The verdict in a sentence with its figures.
 template <int dim>
-[[nodiscard]] std::string describe(Verdict verdict, const std::vector<Iteration>& history,
+[[nodiscard]] std::string describe(Verdict verdict, bool at_rounding, const std::vector<Iteration>& history,
                                    const std::optional<BadVertex<dim>>& bad, const MeshDual<dim>& dual);
 
 }  // namespace leonhard::solver

@@ -15,7 +15,8 @@
 namespace leonhard::solver {
 namespace {
 
-constexpr double default_cfl = 10, default_cfl_max = 1e6, least_cfl = 1e-3;
+constexpr double default_cfl = 10, default_cfl_max = 1e6;
+constexpr double least_cfl = 1e-3;  ///< or this share of the first one: below it the march is given up
 constexpr double cfl_growth = 3, greatest_growth = 5;  ///< an iteration, at an even residual and at a falling one
 
 /// Orders of its own residual after which the start-up ends. In subsonic streams the lift builds up slowly, which costs least here.
@@ -69,11 +70,12 @@ class ImplicitMarch {
   explicit ImplicitMarch(March<dim>& march)
       : march_(march),
         system_(block_pattern(march.spatial.plan()), static_cast<int>(n), fill_levels),
-        starting_(march.problem.initial.empty()),
+        starting_(march.problem.initial.empty() || march.problem.rough_initial),
         start_up_drop_(march.problem.free_stream.mach < 1 ? start_up_drop_subsonic : start_up_drop_supersonic) {
     to_conserved(march.problem.gas, march.state, q_);
     step_.resize(q_.size());
     march.cfl = std::min(march.options.cfl_start.value_or(default_cfl), cfl_max());
+    least_cfl_ = least_cfl * std::min(march.cfl, 1.0);
     take_residual();
   }
 
@@ -85,7 +87,7 @@ class ImplicitMarch {
         if (march_.stop.stop_requested()) return Verdict::stopped;
         ++march_.rejected;
         march_.cfl *= 0.2;
-        if (march_.cfl >= least_cfl) continue;
+        if (march_.cfl >= least_cfl_) continue;
         return march_.bad_vertex ? Verdict::diverged : Verdict::stalled;
       }
       if (starting_) {
@@ -98,7 +100,7 @@ class ImplicitMarch {
         keep_improving();
       }
       if (const auto verdict = march_.record(number)) return *verdict;
-      if (march_.cfl < least_cfl) return Verdict::stalled;  // coefficients stand still because time does
+      if (march_.cfl < least_cfl_) return Verdict::stalled;  // coefficients stand still because time does
     }
   }
 
@@ -278,6 +280,7 @@ class ImplicitMarch {
   BlockSystem system_;
   bool starting_;  ///< in the start-up
   double start_up_drop_;
+  double least_cfl_;
   LinearReport linear_{};
   std::size_t clipped_ = 0;  ///< vertices that the start-up held back in this step
   std::vector<double> q_, residual_, step_, right_, speeds_;

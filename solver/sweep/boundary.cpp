@@ -127,7 +127,9 @@ Components<dim, T> viscous_flux_out(const ViscousConstants& k, BoundaryKind kind
 template <int dim>
 BoundaryFacet<dim> make_facet(const FlowProblem<dim>& problem, const DualFacet<dim>& from, bool vortex) {
   BoundaryFacet<dim> facet;
-  facet.condition = problem.boundary.at(from.marker);
+  const BoundaryCondition<dim>& given = problem.boundary.at(from.marker);
+  facet.condition = given;
+  facet.condition.vary = nullptr;
   facet.corner_count = static_cast<int>(from.corners.size());
   facet.own_share = corner_share(from);
   for (std::size_t i = 0; i < from.corners.size(); ++i) {
@@ -136,9 +138,13 @@ BoundaryFacet<dim> make_facet(const FlowProblem<dim>& problem, const DualFacet<d
     corner.size = norm(from.shares[i]);
     corner.n = axes((1 / corner.size) * from.shares[i]);
     const auto at = problem.dual.points[corner.vertex];
-    corner.outer = problem.outer_state ? problem.outer_state(at) : free_stream_state<dim>(problem.gas, problem.free_stream);
+    if (given.vary) facet.varied.push_back(given.at(at));
+    const std::optional<State<dim>>& beyond = facet.condition_at(i).outer;
+    corner.outer = beyond                ? *beyond
+                   : problem.outer_state ? problem.outer_state(at)
+                                         : free_stream_state<dim>(problem.gas, problem.free_stream);
     if constexpr (dim == 2)
-      if (vortex && facet.condition.kind == BoundaryKind::far_field)
+      if (vortex && !beyond && facet.condition.kind == BoundaryKind::far_field)
         corner.vortex = axes(vortex_velocity(problem.free_stream, problem.vortex_centre, problem.reference.length, at));
   }
   return facet;
@@ -196,8 +202,9 @@ void set_far_field_lift(const FlowProblem<dim>& problem, double cl, std::span<Bo
   if constexpr (dim == 2)
     for (BoundaryFacet<2>& facet : facets)
       if (facet.condition.kind == BoundaryKind::far_field)
-        for (BoundaryCorner<2>& corner : facet.corner)
-          corner.outer = isentropic_state(problem.gas, problem.free_stream, cl * vector_of(corner.vortex));
+        for (std::size_t c = 0; c < facet.corners().size(); ++c)
+          if (BoundaryCorner<2>& corner = facet.corner[c]; !facet.condition_at(c).outer)
+            corner.outer = isentropic_state(problem.gas, problem.free_stream, cl * vector_of(corner.vortex));
 }
 
 template <int dim>

@@ -34,6 +34,7 @@ template <int dim>
 template <int dim>
 struct BoundaryFacet {
   BoundaryCondition<dim> condition;
+  std::vector<BoundaryCondition<dim>> varied{};  ///< one a corner where the condition varies along the boundary
   int corner_count{};
   double own_share{};  ///< see corner_share
   std::array<BoundaryCorner<dim>, MixedFacet<dim>::most_corners> corner{};
@@ -41,6 +42,7 @@ struct BoundaryFacet {
   [[nodiscard]] std::span<const BoundaryCorner<dim>> corners() const {
     return {corner.data(), static_cast<std::size_t>(corner_count)};
   }
+  [[nodiscard]] const BoundaryCondition<dim>& condition_at(std::size_t c) const { return varied.empty() ? condition : varied[c]; }
   [[nodiscard]] double other_share() const { return (1 - own_share) / (corner_count - 1); }
 };
 

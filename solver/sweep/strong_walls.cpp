@@ -22,10 +22,11 @@ std::vector<StrongVertex<dim>> strong_vertices(const FlowProblem<dim>& problem) 
   std::map<VertexId, StrongVertex<dim>> found;
   std::map<VertexId, double> temperature;
   for (const DualFacet<dim>& facet : problem.dual.boundary) {
-    const BoundaryCondition<dim>& condition = problem.boundary.at(facet.marker);
-    if (condition.kind != BoundaryKind::no_slip_wall) continue;
-    const Axes<dim> velocity = axes(condition.wall_velocity);
+    const BoundaryCondition<dim>& given = problem.boundary.at(facet.marker);
+    if (given.kind != BoundaryKind::no_slip_wall) continue;
     for (std::size_t i = 0; i < facet.corners.size(); ++i) {
+      const BoundaryCondition<dim> condition = given.at(problem.dual.points[facet.corners[i]]);
+      const Axes<dim> velocity = axes(condition.wall_velocity);
       const auto [entry, is_new] = found.try_emplace(facet.corners[i]);
       StrongVertex<dim>& strong = entry->second;
       const double area = norm(facet.shares[i]);

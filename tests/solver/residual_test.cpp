@@ -154,7 +154,7 @@ double venkatakrishnan(double room, double step, double e) {
 double chord_of(const FlowProblem<2>& problem) {
   double low = 1e300, high = -1e300;
   for (const DualFacet<2>& edge : problem.dual.boundary)
-    if (problem.boundary.at(edge.marker) == BoundaryKind::slip_wall) {
+    if (problem.boundary.at(edge.marker).kind == BoundaryKind::slip_wall) {
       low = std::min(low, problem.dual.points[edge.corners[0]].x);
       high = std::max(high, problem.dual.points[edge.corners[0]].x);
     }
@@ -288,7 +288,7 @@ std::vector<double> plain_residual(const TriangleMesh& mesh, const FlowProblem<2
       const Vec2 extra =
           cl * solver::vortex_velocity(problem.free_stream, problem.vortex_centre, 1, mesh.points[ends[e]]);
       f[e] =
-          problem.boundary.at(edge.marker) == BoundaryKind::slip_wall
+          problem.boundary.at(edge.marker).kind == BoundaryKind::slip_wall
               ? std::array<double, 4>{0, w.p * nx, w.p * ny, 0}
               : plain_roe(w, solver::isentropic_state(problem.gas, problem.free_stream, extra), nx, ny, fix);
     }

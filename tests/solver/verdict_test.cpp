@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <stop_token>
 
@@ -198,6 +199,98 @@ TEST_CASE("hanging_residual_with_steady_coefficients_is_settled_and_with_moving_
             options, [&](int i) { return line(i, 0.02 * i, 0.3); }, 300) == std::nullopt);  // still falling
   CHECK(fed_with(
             options, [&](int i) { return line(i, 0.02 * i, 0.3); }, 500) == Verdict::converged);
+}
+
+TEST_CASE("a_monitored_quantity_that_moves_keeps_a_hanging_march_from_being_settled") {
+  const auto line = [](int i, double quantity) {
+    Iteration iteration{i, 3 + 0.01 * (i % 2), 0.3, 0.02, -0.03, 10, 5, 0.0};
+    iteration.monitored = {7, quantity};
+    return iteration;
+  };
+  CHECK(fed_with({}, [&](int i) { return line(i, 1e3 + 1e-4 * (i % 3)); }, 500) == Verdict::settled);
+  CHECK(fed_with({}, [&](int i) { return line(i, 1e3 + 0.1 * (i % 3)); }, 500) == Verdict::stalled);
+}
+
+TEST_CASE("where_there_is_no_wall_energy_and_pressure_are_watched_and_else_what_the_problem_names") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::shaken_square(6, 0.1, 1);
+  FlowProblem<2> problem = square_problem(mesh);
+  SteadyOptions options;
+  options.max_iterations = 2;
+  CHECK(solver::solve_steady(problem, options).history.back().monitored.empty());
+  problem.boundary[test::south] = BoundaryKind::symmetry;
+  const auto watched = solver::solve_steady(problem, options).history.front().monitored;
+  REQUIRE(watched.size() == 2);
+  CHECK(watched[0] == doctest::Approx(1));
+  CHECK(watched[1] == doctest::Approx(1));
+  problem.monitored["seventh"] = [](const PerId<VertexId, State<2>>& state) { return state[VertexId::from(7)].u; };
+  CHECK(solver::solve_steady(problem, options).history.front().monitored == std::vector<double>{0.5});
+}
+
+TEST_CASE("a_residual_down_to_its_rounding_errors_is_converged_and_says_so") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::o_mesh(48, 16, 8, 0.03, test::naca0012);
+  FlowProblem<2> problem = airfoil_problem(mesh);
+  for (const double mach : {0.8, 0.3, 0.01}) {
+    problem.free_stream.mach = mach;
+    SteadyOptions options;
+    options.residual_drop_orders = 16;
+    const SteadyResult<2> result = solver::solve_steady(problem, options);
+    CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
+    CHECK(result.at_rounding);
+    CHECK(says(result.words, "to its rounding errors"));
+    options.residual_drop_orders = 3;
+    const SteadyResult<2> early = solver::solve_steady(problem, options);
+    CHECK_FALSE(early.at_rounding);
+    CHECK_FALSE(says(early.words, "rounding"));
+  }
+}
+
+TEST_CASE("a_first_time_step_however_small_grows") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::o_mesh(48, 16, 8, 0.03, test::naca0012);
+  SteadyOptions options;
+  options.cfl_start = 1e-6;
+  const SteadyResult<2> result = solver::solve_steady(airfoil_problem(mesh), options);
+  CHECK_MESSAGE(result.verdict == Verdict::converged, result.words);
+}
+
+TEST_CASE("what_flows_out_through_the_boundaries_adds_up_to_nothing_and_nothing_through_a_wall") {
+  test::start_petsc();
+  const TriangleMesh mesh = test::o_mesh(48, 16, 8, 0.03, test::naca0012);
+  const SteadyResult<2> result = solver::solve_steady(airfoil_problem(mesh));
+  REQUIRE(result.mass_flow.size() == 2);
+  CHECK(result.mass_flow.at(test::south) == 0);
+  CHECK(std::abs(result.mass_flow.at(test::north)) < 1e-8);
+
+  const TriangleMesh square = test::shaken_square(8, 0.2, 1);
+  FlowProblem<2> problem = square_problem(square);
+  problem.boundary[test::north] = BoundaryKind::slip_wall;
+  const SteadyResult<2> duct = solver::solve_steady(problem);
+  CHECK(duct.mass_flow.at(test::east) == doctest::Approx(0.5));
+  CHECK(duct.mass_flow.at(test::west) == doctest::Approx(-0.5));
+}
+
+TEST_CASE("smoothing_keeps_even_steps_spreads_a_peak_and_leaves_no_slip_walls_alone") {
+  const TriangleMesh mesh = test::shaken_square(8, 0.2, 1);
+  FlowProblem<2> problem = square_problem(mesh);
+  problem.viscosity = Viscosity{};
+  problem.boundary[test::south] = BoundaryKind::no_slip_wall;
+  solver::FlowResidual<2> spatial(problem, {});
+  std::vector<double> even(4 * mesh.vertex_count(), 3.0);
+  spatial.smooth(0.5, even);
+  for (const double step : even) CHECK(step == doctest::Approx(3).epsilon(1e-14));
+  // Vertex 40 is in the middle of the square, 4 in that of the wall.
+  std::vector<double> peak(4 * mesh.vertex_count(), 0.0);
+  peak[4 * 40] = peak[4 * 4 + 2] = 1;
+  spatial.smooth(0.5, peak);
+  CHECK(peak[4 * 40] > 0.2);
+  CHECK(peak[4 * 40] < 0.6);
+  CHECK(peak[4 * 41] > 0.02);
+  CHECK(peak[4 * 40 + 1] == 0);
+  CHECK(peak[4 * 4 + 2] == 1);
+  CHECK(peak[4 * 3 + 2] == 0);
+  CHECK(peak[4 * 13 + 2] > 0.02);
 }
 
 TEST_CASE("marker_without_a_condition_and_condition_without_a_marker_are_refused_by_name") {

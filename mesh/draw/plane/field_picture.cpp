@@ -17,21 +17,34 @@
 namespace leonhard::draw {
 namespace {
 
-void check_field(const TriangleMesh& mesh, std::span<const double> values, const FieldOptions& options) {
-  check_mesh(mesh);
+void check_values(const TriangleMesh& mesh, std::span<const double> values, const std::string& name) {
   if (values.size() != mesh.vertex_count()) {
     throw InputError(
-        "field '" + options.value_label + "'",
-        std::to_string(values.size()) + " values for " + std::to_string(mesh.vertex_count()) + " vertices",
+        name, std::to_string(values.size()) + " values for " + std::to_string(mesh.vertex_count()) + " vertices",
         "give one value a vertex");
   }
   for (const VertexId v : mesh.points.ids()) {
     if (!std::isfinite(values[v.index()])) {
-      throw InputError("field '" + options.value_label + "'",
-                       "the value at " + mesh::words(mesh, v) + " is " + mesh::words(values[v.index()]),
+      throw InputError(name, "the value at " + mesh::words(mesh, v) + " is " + mesh::words(values[v.index()]),
                        "give finite values");
     }
   }
+}
+
+void check_levels(const std::string& name, const std::vector<double>& levels) {
+  if (levels.size() > 1000) throw InputError(name, "there are more than 1000", "give fewer");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (!std::isfinite(levels[i]) || (i > 0 && !(levels[i - 1] < levels[i]))) {
+      throw InputError(name, "level " + std::to_string(i) + " is " + mesh::words(levels[i]),
+                       "give finite levels, each above the last");
+    }
+  }
+}
+
+void check_field(const TriangleMesh& mesh, std::span<const double> values, const FieldOptions& options) {
+  check_mesh(mesh);
+  check_values(mesh, values, "field '" + options.value_label + "'");
+  if (!options.lines_of.empty()) check_values(mesh, options.lines_of, "field of the lines");
   if (options.value_range &&
       !(std::isfinite(options.value_range->low) && std::isfinite(options.value_range->high) &&
         options.value_range->low < options.value_range->high)) {
@@ -47,13 +60,8 @@ void check_field(const TriangleMesh& mesh, std::span<const double> values, const
     throw InputError("dashed below", mesh::words(*options.dashed_below) + " is no value",
                      "give a finite value");
   }
-  if (options.levels.size() > 1000) throw InputError("levels", "there are more than 1000", "give fewer");
-  for (std::size_t i = 0; i < options.levels.size(); ++i) {
-    if (!std::isfinite(options.levels[i]) || (i > 0 && !(options.levels[i - 1] < options.levels[i]))) {
-      throw InputError("levels", "level " + std::to_string(i) + " is " + mesh::words(options.levels[i]),
-                       "give finite levels, each above the last");
-    }
-  }
+  check_levels("levels", options.levels);
+  check_levels("line levels", options.line_levels);
 }
 
 std::array<double, 3> values_at(const MeshScene& scene, std::span<const double> values, TriangleId t) {
@@ -185,7 +193,14 @@ void draw_field(const std::filesystem::path& path, const TriangleMesh& mesh,
     fill_bands_as_image(canvas, scene, vertex_values, bands);
   }
   if (options.show_mesh) stroke_edges(canvas, scene, {0.2, 0.2, 0.25}, 0.5);
-  if (options.contour_lines) stroke_contours(canvas, scene, vertex_values, bands, options.dashed_below);
+  if (!options.lines_of.empty()) {
+    Bands lines;
+    lines.levels = options.line_levels;
+    lines.is_major.assign(lines.levels.size(), true);
+    stroke_contours(canvas, scene, options.lines_of, lines, options.dashed_below);
+  } else if (options.contour_lines) {
+    stroke_contours(canvas, scene, vertex_values, bands, options.dashed_below);
+  }
   stroke_boundary(canvas, scene, 1.8, [](Marker) { return ink; });
   draw_axes(canvas, frame, {options.title, options.x_label, options.y_label});
   draw_colour_bar(canvas, bar, bands, options.value_label);

@@ -176,11 +176,11 @@ pressure = 0.9
   CHECK(c.boundary.at("hot").kind == BoundaryKind::no_slip_wall);
   CHECK(c.boundary.at("hot").temperature == 1.5);
   CHECK_FALSE(c.boundary.at("belt").temperature.has_value());
-  CHECK(c.boundary.at("belt").velocity == std::vector<double>{1, 0});
+  CHECK(c.boundary.at("belt").velocity == std::vector<PlaceValue>{1, 0});
   CHECK(c.boundary.at("inlet").kind == BoundaryKind::subsonic_inflow);
   CHECK(c.boundary.at("inlet").total_pressure == 1.1);
   CHECK(c.boundary.at("inlet").total_temperature == 1.02);
-  CHECK(c.boundary.at("inlet").direction == std::vector<double>{1, 0.5});
+  CHECK(c.boundary.at("inlet").direction == std::vector<PlaceValue>{1, 0.5});
   CHECK(c.boundary.at("outlet").kind == BoundaryKind::pressure_outflow);
   CHECK(c.boundary.at("outlet").pressure == 0.9);
 }
@@ -209,15 +209,46 @@ TEST_CASE("viscous_keys_that_contradict_each_other_are_refused") {
        "x.toml:6: boundary.body1 is a no-slip wall but the flow is inviscid; give flow.reynolds");
   const auto boundary = [&](const std::string& keys) { return refusal(viscous + body + "[boundary.body1]\n" + keys); };
   says(boundary("kind = \"slip-wall\"\ntemperature = 1\n"),
-       "x.toml:8: boundary.body1.temperature is given but only a no-slip-wall has one");
+       "x.toml:8: boundary.body1.temperature is given but only a no-slip-wall, far-field or supersonic-inflow has one");
   says(boundary("kind = \"slip-wall\"\nvelocity = [1, 0]\n"), "boundary.body1.velocity is given but");
-  says(boundary("kind = \"no-slip-wall\"\npressure = 1\n"), "only a pressure-outflow has one");
+  says(boundary("kind = \"no-slip-wall\"\npressure = 1\n"), "only a pressure-outflow, far-field or supersonic-inflow has one");
   says(boundary("kind = \"no-slip-wall\"\ntotal_pressure = 1\n"), "only a subsonic-inflow has one");
   says(boundary("kind = \"no-slip-wall\"\ntotal_temperature = 1\n"), "only a subsonic-inflow has one");
   says(boundary("kind = \"no-slip-wall\"\ndirection = [1, 0]\n"), "only a subsonic-inflow has one");
   says(boundary("kind = \"no-slip-wall\"\ntemperature = 0\n"), "is not a finite number above 0");
   says(boundary("kind = \"no-slip-wall\"\nvelocity = [1]\n"), "is not 2 finite numbers in brackets, in space 3");
   says(boundary("kind = \"subsonic-inflow\"\ndirection = [0, 0]\n"), "x.toml:8: the direction of the inflow is 0");
+}
+
+TEST_CASE("a_value_of_the_place_is_a_number_a_formula_or_a_table_and_tells_where_it_is_out_of_range") {
+  const std::string head = "domain = \"d.poly\"\n[flow]\nmach = 2\n[boundary.in]\nkind = \"supersonic-inflow\"\n";
+  const TemporaryFolder folder;
+  folder.write("d.poly", "");
+  const auto read = [&](const std::string& keys) { return read_case(folder.write("x.toml", head + keys)).boundary.at("in"); };
+  const auto refused = [&](const std::string& keys) { return input_error_of([&] { return read(keys), 0; }); };
+  const BoundaryCase in = read("pressure = \"1 + y^2 - min(x, z)*sin(pi/2)\"\nvelocity = [\"x > 1 ? 2 : exp(0)\", 0]\n"
+                               "temperature = { along = \"2*y\", at = [0, 1, 3], values = [1, 2, 1] }\n");
+  CHECK((*in.pressure)({1, 3, 2}) == doctest::Approx(9));
+  CHECK(in.velocity[0]({2, 0, 0}) == 2);
+  CHECK(in.velocity[0]({0, 0, 0}) == 1);
+  CHECK_FALSE(in.velocity[1].varies());
+  for (const auto& [y, value] : {std::pair{-5.0, 1.0}, {0.25, 1.5}, {0.5, 2.0}, {1.0, 1.5}, {9.0, 1.0}})
+    CHECK((*in.temperature)({7, y, 0}) == doctest::Approx(value));
+  says(input_error_of([&] { return (*in.pressure)({3, 1, 4}) > 0; }),
+       "x.toml:6: boundary.in.pressure is -1 at (3, 1, 4); it takes a finite number above 0 at every place");
+  says(refused("pressure = \"1 + q*y\"\n"), "x.toml:6: boundary.in.pressure = \"1 + q*y\": ");
+  says(refused("pressure = \"1 + q*y\"\n"), "column 5 of the formula; give a formula of x, y and z");
+  says(refused("pressure = \"1, 2\"\n"), "it has 2 values");
+  says(refused("pressure = \"(1\"\n"), "x.toml:6: boundary.in.pressure");
+  says(refused("pressure = \"\"\n"), "x.toml:6: boundary.in.pressure");
+  says(refused("velocity = [\"x +\", 0]\n"), "x.toml:6: boundary.in.velocity");
+  says(refused("pressure = true\n"), "boundary.in.pressure = true is not a finite number above 0, or of the place");
+  says(refused("pressure = { along = \"y\", at = [0, 1] }\n"), "x.toml:6: boundary.in.pressure: the table has no list \"values\"");
+  says(refused("pressure = { along = \"y\", at = [0, 1], values = [1] }\n"), "the table has 2 places and 1 values");
+  says(refused("pressure = { along = \"y\", at = [0, 0], values = [1, 1] }\n"), "the table's places do not ascend");
+  says(refused("pressure = { along = \"y\", at = [0, 1], values = [1, -1] }\n"), "is not a finite number above 0");
+  says(refused("pressure = { at = [0, 1], values = [1, 1] }\n"), "does not say along which coordinate");
+  says(refused("pressure = { along = \"y\", from = 0 }\n"), "a table has no \"from\"");
 }
 
 TEST_CASE("keys_of_space_are_refused_in_the_plane_and_those_of_the_plane_in_space") {
