@@ -3,9 +3,9 @@
 # fuzz/run and .ci/run; changes nothing by itself. All it says goes to stderr.
 
 packages_release="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev libpetsc-real-dev \
-libeigen3-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libcairo2-dev zlib1g-dev fonts-dejavu-core"
+libeigen3-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libcairo2-dev zlib1g-dev liblz4-dev liblzma-dev fonts-dejavu-core"
 packages_tests="$packages_release doctest-dev"
-packages_fuzz="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev libeigen3-dev clang libclang-rt-14-dev"
+packages_fuzz="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev liblz4-dev liblzma-dev libeigen3-dev clang libclang-rt-14-dev"
 packages_kernel_tests="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev doctest-dev"
 packages_bench="$packages_release libbenchmark-dev"
 packages_compare="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev libeigen3-dev libfmt-dev \

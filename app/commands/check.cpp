@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/meshes/read_request.hpp"
 #include "leonhard/app/points/points_dimension.hpp"
 #include "leonhard/app/points/read_any_points.hpp"
+#include "leonhard/app/report/mesh_groups.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
 #include "leonhard/app/report/mixed_report.hpp"
 #include "leonhard/app/report/points3_report.hpp"
@@ -33,14 +35,16 @@ struct CheckOptions {
 
 /// Report and text: to the files and streams that were asked for.
 template <class Report>
-void show(const CheckOptions& options, const Report& report, const std::vector<std::string>& warnings) {
+void show(const CheckOptions& options, const Report& report, const std::vector<std::string>& warnings,
+          const std::optional<MeshGroups>& groups = std::nullopt) {
   Json json = to_json(report);
+  if (groups) json.update(to_json(*groups));
   json["warnings"] = warnings;
   if (!options.common.output.empty()) io::write_file_atomically(options.common.output, json.text() + "\n");
   if (options.common.json) {
     fmt::print("{}\n", json.text());
   } else {
-    fmt::print("{}", text_of(report));
+    fmt::print("{}{}", text_of(report), groups ? text_of(*groups) : "");
     for (const std::string& warning : warnings) fmt::print("{:<14}{}\n", "warning", warning);
   }
 }
@@ -57,7 +61,7 @@ ExitCode check_mesh(const CheckOptions& options) {
   return std::visit(
       [&](const auto& mesh) {
         const auto report = report_of(mesh);
-        show(options, report, file.warnings);
+        show(options, report, file.warnings, mesh_groups(file));
         return report.is_sound() ? ExitCode::done : ExitCode::goal_not_met;
       },
       file.mesh);
