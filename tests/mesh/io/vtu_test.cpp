@@ -104,6 +104,30 @@ std::string binary_file(const std::string& format, bool swapped) {
 
 }  // namespace
 
+TEST_CASE("vtu_has_marked_edges_as_cells_that_other_programs_see") {
+  const TriangleMesh mesh = grid_with_everything();
+  const std::size_t edges = mesh.boundary.size() + mesh.constraints.size();
+  const std::vector<CellField> fields{{"f", 1, std::vector<double>(mesh.triangle_count(), 0.25)}};
+  const std::string text = io::format_vtu(mesh, {}, fields);
+  CHECK(text.find("NumberOfCells=\"" + std::to_string(mesh.triangle_count() + edges) + "\"") !=
+        std::string::npos);
+  // As other programs, that know nothing of our own arrays: all edges with their markers, no field for them.
+  const MeshFile back = parse(replaced(text, "leonhard_facets", "somebodys_array"));
+  CHECK(back.mesh.boundary == mesh.boundary);
+  CHECK(back.mesh.constraints == mesh.constraints);
+  CHECK(back.mesh.regions == mesh.regions);
+  REQUIRE(back.cell_fields.size() == 1);
+  CHECK(back.cell_fields[0] == fields[0]);
+}
+
+TEST_CASE("vtu_refuses_cell_fields_with_names_of_its_own") {
+  const TriangleMesh mesh = grid_with_hole();
+  for (const char* name : {"marker", "region"})
+    CHECK_THROWS_AS(
+        (void)io::format_vtu(mesh, {}, {{name, 1, std::vector<double>(mesh.triangle_count(), 0)}}),
+        InputError);
+}
+
 TEST_CASE("vtu_round_trip_keeps_everything_with_fields_beside_it") {
   const TriangleMesh mesh = grid_with_everything();
   const std::vector<double> twos(2 * mesh.vertex_count(), 0.5), ones(mesh.vertex_count(), NAN);
