@@ -17,14 +17,15 @@ namespace leonhard::io {
 ///
 /// Point data: one array a field (two components are written as three with a zero, since VTK knows only
 /// three-component vectors, and with the attribute leonhard_components="2", which other programs pass over) and
-/// `marker`. The edges of the boundary, then the marked ones within, are cells behind the triangles. Cell data: `marker` (0 of
-/// triangles), one array a field and `region`, in which edges have the value of a triangle beside them. Field data:
+/// `marker`. The edges of the boundary, then the marked ones within, are cells behind the triangles. Cell data: `marker`, 0 of
+/// triangles (`leonhard_marker` where a field is called so), one array a field and `region`, in which edges have the value of a
+/// triangle beside them. Field data:
 /// `leonhard_facets` (how many edges of both sorts), `leonhard_marker_numbers`, and `leonhard_marker_names` (UTF-8, each name
 /// ended by a zero byte), and the like of regions.
 ///
 /// fields  one value each a vertex or cell and component; any doubles, NaN too
 /// throws InputError if a field's size does not fit the mesh or its name is empty, repeated among those of its kind, or
-/// `marker` or, of cells, `region`; OutputError if the file cannot be written
+/// `marker` (of vertices), `region` or `leonhard_marker` (of cells); OutputError if the file cannot be written
 void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
                const std::vector<PointField>& point_fields = {},
                const std::vector<CellField>& cell_fields = {});
@@ -94,11 +95,13 @@ void write_vtu(const std::filesystem::path& path, const MixedMesh<3>& mesh,
 /// points        of the mesh
 /// point_fields  one value a point of the mesh
 /// cell_fields   one value a facet
+/// markers       of the facets, or empty
 /// throws        InputError for a facet of a vertex that is not there, and as write_vtu; OutputError
 void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, Point3>& points,
                        const std::vector<MixedFacet<3>>& facets,
                        const std::vector<PointField>& point_fields = {},
-                       const std::vector<CellField>& cell_fields = {});
+                       const std::vector<CellField>& cell_fields = {},
+                       const std::vector<Marker>& markers = {});
 
 /// Read a .vtu of mixed cells, quadrilaterals left whole; in space triangles and quadrilaterals are marked faces. Prisms are
 /// taken with the base either way.

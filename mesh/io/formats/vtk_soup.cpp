@@ -47,7 +47,9 @@ class VtkSoupMaker {
     soup_.source = source;
     soup_.prisms_turn_either_way = true;
     groups_ = find_groups();
-    markers_ = find_whole(grid.cell_arrays, vtu_names::cell_marker);
+    markers_ = find_whole(grid.cell_arrays, vtu_names::other_cell_marker);
+    if (markers_ == nullptr) markers_ = find_whole(grid.cell_arrays, vtu_names::cell_marker);
+    has_own_markers_ = markers_ != nullptr;
     if (markers_ == nullptr) markers_ = groups_;
     for (const VtkNumbers& array : grid.cell_arrays)
       if (array.name == vtu_names::region && array.components == 1) regions_ = &array;
@@ -204,7 +206,7 @@ class VtkSoupMaker {
   /// The rows of the soup's cells, not those of lines on the boundary. What has become markers or regions is no field.
   void take_cell_arrays() {
     for (const VtkNumbers& array : grid_.cell_arrays) {
-      if (&array == regions_ || (&array == markers_ && array.name == vtu_names::cell_marker)) continue;
+      if (&array == regions_ || (&array == markers_ && has_own_markers_)) continue;
       CellField field{array.name, array.components, {}};
       field.values.reserve(cell_rows_.size() * array.components);
       for (const std::size_t row : cell_rows_) {
@@ -220,7 +222,7 @@ class VtkSoupMaker {
   const VtkNumbers *groups_ = nullptr, *markers_ = nullptr, *regions_ = nullptr;
   std::vector<std::size_t> cell_rows_;  ///< in the file, of each of the soup's cells
   std::size_t of_higher_order_ = 0;
-  bool has_unmarked_facets_ = false;
+  bool has_unmarked_facets_ = false, has_own_markers_ = false;
 };
 
 }  // namespace

@@ -246,7 +246,7 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields
                    const std::vector<CellField>& cell_fields) {
   mesh::require_ids_in_range(mesh);
   check_fields(point_fields, mesh.vertex_count(), {vtu_names::vertex_marker});
-  check_fields(cell_fields, mesh.cell_count(), {vtu_names::region, vtu_names::cell_marker});
+  check_fields(cell_fields, mesh.cell_count(), {vtu_names::region, vtu_names::other_cell_marker});
   const WrittenFacets<Dim> facets(mesh);
   std::vector<std::size_t> cells_at_facets;
   if (!cell_fields.empty() || !mesh.regions.empty()) cells_at_facets = cells_at<Dim>(mesh, facets.facets);
@@ -268,7 +268,10 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields
         }
         std::vector<Marker> markers(mesh.cell_count(), 0);
         markers.insert(markers.end(), facets.markers.begin(), facets.markers.end());
-        text.array(vtu_names::cell_marker, 1, markers);
+        const bool is_taken = std::any_of(cell_fields.begin(), cell_fields.end(), [](const CellField& field) {
+          return field.name == vtu_names::cell_marker;
+        });
+        text.array(is_taken ? vtu_names::other_cell_marker : vtu_names::cell_marker, 1, markers);
       });
 }
 
@@ -346,9 +349,12 @@ void write_vtu(const std::filesystem::path& path, const MixedMesh<3>& mesh,
 
 void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, Point3>& points,
                        const std::vector<MixedFacet<3>>& facets, const std::vector<PointField>& point_fields,
-                       const std::vector<CellField>& cell_fields) {
+                       const std::vector<CellField>& cell_fields, const std::vector<Marker>& markers) {
   check_fields(point_fields, points.size(), {vtu_names::vertex_marker});
-  check_fields(cell_fields, facets.size(), {vtu_names::region});
+  if (markers.empty())
+    check_fields(cell_fields, facets.size(), {vtu_names::region});
+  else
+    check_fields(cell_fields, facets.size(), {vtu_names::region, vtu_names::cell_marker});
   const UsedPoints used(points.size(), facets);
   std::vector<Point3> places;
   for (const VertexId v : used.all()) places.push_back(points[v]);
@@ -358,7 +364,10 @@ void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, 
   for (const PointField& field : point_fields) parts.push_back(used.of(field));
   write_file_atomically(path, format_piece(
                                   piece, [](VtuText&) {}, [&](VtuText& text) { write_fields(text, parts); },
-                                  [&](VtuText& text) { write_fields(text, cell_fields); }));
+                                  [&](VtuText& text) {
+                                    write_fields(text, cell_fields);
+                                    if (!markers.empty()) text.array(vtu_names::cell_marker, 1, markers);
+                                  }));
 }
 
 }  // namespace leonhard::io
