@@ -219,10 +219,10 @@ int dimension_of(const MeditData& data) {
   if (data.dimension == 2) return 2;
   for (const auto* cells : {&data.tetrahedra, &data.hexahedra, &data.prisms, &data.pyramids})
     if (!cells->empty()) return 3;
-  const bool has_cells = !data.triangles.empty() || !data.quadrilaterals.empty();
+  const bool has_any = !data.edges.empty() || !data.triangles.empty() || !data.quadrilaterals.empty();
   const bool is_flat = std::all_of(data.points.begin(), data.points.end(),
                                    [&](const Point3& p) { return p.z == data.points[0].z; });
-  return has_cells && is_flat ? 2 : 3;
+  return has_any && is_flat ? 2 : 3;
 }
 
 MeditData parse_medit_data(std::string_view text, const std::string& source) {

@@ -38,7 +38,7 @@ struct MeditData {
 /// throws InputError with the line: a keyword that is none, numbers below 1, a file cut short
 [[nodiscard]] MeditData parse_medit_data(std::string_view text, const std::string& source);
 
-/// 2 if the file says so, or has cells of the plane alone, in a plane z = const (Gmsh's files say 3 always); else 3.
+/// 2 if the file says so, or has edges and cells of the plane alone, in a plane z = const (Gmsh's files say 3 always); else 3.
 [[nodiscard]] int dimension_of(const MeditData& data);
 
 }  // namespace leonhard::io
