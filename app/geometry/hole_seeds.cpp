@@ -16,33 +16,6 @@
 namespace leonhard::app {
 namespace {
 
-/// The points of each outline in order; none if a point has other than two segments.
-std::optional<std::vector<std::vector<std::size_t>>> outlines_of(const Pslg& pslg) {
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::array<std::size_t, 2>> neighbours(pslg.points.size(), {none, none});
-  const auto join = [&](std::size_t a, std::size_t b) {
-    const auto place = std::ranges::find(neighbours[a], none);
-    if (place == neighbours[a].end()) return false;
-    *place = b;
-    return true;
-  };
-  for (const Pslg::Segment& segment : pslg.segments)
-    if (!join(segment.from, segment.to) || !join(segment.to, segment.from)) return std::nullopt;
-  std::vector<char> seen(pslg.points.size(), 0);
-  std::vector<std::vector<std::size_t>> outlines;
-  for (std::size_t start = 0; start < pslg.points.size(); ++start) {
-    if (seen[start] != 0 || neighbours[start][0] == none) continue;
-    std::vector<std::size_t>& outline = outlines.emplace_back();
-    for (std::size_t at = start, from = neighbours[start][1]; seen[at] == 0;) {
-      if (neighbours[at][1] == none) return std::nullopt;
-      seen[at] = 1;
-      outline.push_back(at);
-      from = std::exchange(at, neighbours[at][0] == from ? neighbours[at][1] : neighbours[at][0]);
-    }
-  }
-  return outlines;
-}
-
 bool is_inside(const NamedOutline& outline, Point2 p) {
   return locate_in_polygon(outline.points, p) == PointPlace::inside;
 }
@@ -79,8 +52,34 @@ Point2 seed_of(const std::vector<NamedOutline>& outlines, std::size_t hole) {
 
 }  // namespace
 
+std::optional<std::vector<std::vector<std::size_t>>> closed_outlines(const Pslg& pslg) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::array<std::size_t, 2>> neighbours(pslg.points.size(), {none, none});
+  const auto join = [&](std::size_t a, std::size_t b) {
+    const auto place = std::ranges::find(neighbours[a], none);
+    if (place == neighbours[a].end()) return false;
+    *place = b;
+    return true;
+  };
+  for (const Pslg::Segment& segment : pslg.segments)
+    if (!join(segment.from, segment.to) || !join(segment.to, segment.from)) return std::nullopt;
+  std::vector<char> seen(pslg.points.size(), 0);
+  std::vector<std::vector<std::size_t>> outlines;
+  for (std::size_t start = 0; start < pslg.points.size(); ++start) {
+    if (seen[start] != 0 || neighbours[start][0] == none) continue;
+    std::vector<std::size_t>& outline = outlines.emplace_back();
+    for (std::size_t at = start, from = neighbours[start][1]; seen[at] == 0;) {
+      if (neighbours[at][1] == none) return std::nullopt;
+      seen[at] = 1;
+      outline.push_back(at);
+      from = std::exchange(at, neighbours[at][0] == from ? neighbours[at][1] : neighbours[at][0]);
+    }
+  }
+  return outlines;
+}
+
 void find_holes(Pslg& pslg, std::vector<std::string>& warnings) {
-  const auto chains = outlines_of(pslg);
+  const auto chains = closed_outlines(pslg);
   if (!chains) {
     warnings.push_back(
         pslg.source +
