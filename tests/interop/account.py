@@ -4,6 +4,8 @@
 An account has: cells {kind: count}, vertices (those that cells use), size (area or volume), regions and markers {number: count},
 names {number: name} of both ("r3", "m3"). Facets without a marker and cells without a region do not count.
 """
+import contextlib
+import io
 import json
 import subprocess
 
@@ -72,10 +74,16 @@ def account(points, blocks, names=None):
     return result
 
 
+def quietly(work, *arguments, **options):
+    """What work gives, without what it prints: meshio is talkative."""
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        return work(*arguments, **options)
+
+
 def of_meshio(path):
     import meshio
 
-    mesh = meshio.read(path)
+    mesh = quietly(meshio.read, path)
     groups = next((mesh.cell_data[name] for name in GROUPS if name in mesh.cell_data), None)
     top = max(DIMENSION.get(block.type, 0) for block in mesh.cells)
     blocks = []
