@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -38,6 +39,8 @@ struct MeshOptions {
   bool colour_boundaries = true;  ///< one colour a marker, with a legend of the mesh's names; else all dark
   bool show_vertices = false;
   LegendPlace legend = LegendPlace::automatic;
+  /// The cell of which each triangle is a part: no edge is drawn within a cell. Empty: each is a cell of its own.
+  std::span<const std::size_t> cell_of{};
 };
 
 /// The mesh: edges thin, boundaries thick.
@@ -55,6 +58,7 @@ struct PartitionOptions {
   std::string title{};
   std::string x_label = "x", y_label = "y";
   bool show_mesh = true;
+  std::span<const std::size_t> cell_of{};  ///< as of MeshOptions
 };
 
 /// A partition, the parts of neighbouring triangles in different colours, the edges between parts dark.
