@@ -3,9 +3,9 @@
 # fuzz/run and .ci/run; changes nothing by itself. All it says goes to stderr.
 
 packages_release="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev libpetsc-real-dev \
-libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libmuparser-dev libcairo2-dev zlib1g-dev fonts-dejavu-core"
+libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libmuparser-dev libcairo2-dev zlib1g-dev liblz4-dev liblzma-dev fonts-dejavu-core"
 packages_tests="$packages_release doctest-dev"
-packages_fuzz="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev clang libclang-rt-14-dev"
+packages_fuzz="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev liblz4-dev liblzma-dev clang libclang-rt-14-dev"
 packages_kernel_tests="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev doctest-dev"
 packages_bench="$packages_release libbenchmark-dev"
 packages_compare="g++ cmake ninja-build pkg-config libboost-dev libgmp-dev libtbb-dev zlib1g-dev libfmt-dev \

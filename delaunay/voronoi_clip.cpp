@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
+#include "leonhard/delaunay/plane/window_clip.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/words.hpp"
@@ -80,8 +82,15 @@ void cut_by_bisector(std::vector<CutCorner>& polygon, Vec2 neighbour, std::size_
 
 class Clipper {
  public:
-  Clipper(const VoronoiDiagram& diagram, std::span<const Point2> window)
-      : diagram_(diagram), window_(window), exponent_(shrinking_exponent(diagram, window)) {
+  /// sides      what each side is called in `crossings`
+  /// crossings  of edges of the diagram with sides, found before and now
+  Clipper(const VoronoiDiagram& diagram, std::span<const Point2> window, std::span<const std::size_t> sides,
+          Crossings& crossings)
+      : diagram_(diagram),
+        window_(window),
+        sides_(sides),
+        crossings_(crossings),
+        exponent_(shrinking_exponent(diagram, window)) {
     for (const Point2 corner : window) small_window_.push_back(scaled(corner, exponent_));
   }
 
@@ -194,7 +203,7 @@ class Clipper {
       const Point2 a = window_[side], b = window_[(side + 1) % sides];
       if (a.x == b.x) rounded.x = a.x;
       if (a.y == b.y) rounded.y = a.y;
-      places_[0] = crossings_.emplace(std::pair(edge, side), rounded).first->second;
+      places_[0] = crossings_.emplace(std::pair(edge, sides_[side]), rounded).first->second;
     }
   }
 
@@ -206,19 +215,28 @@ class Clipper {
 
   const VoronoiDiagram& diagram_;
   std::span<const Point2> window_;
+  std::span<const std::size_t> sides_;
+  Crossings& crossings_;
   int exponent_;
   std::vector<Point2> small_window_;
   std::vector<CutCorner> polygon_, room_;  ///< of the cell in hand, scaled, about its site
-  std::map<std::pair<VoronoiEdgeId, std::size_t>, Point2> crossings_;  ///< of edges with sides of the window
   std::vector<Point2> places_, shared_;
   ClippedVoronoi result_;
 };
 
 }  // namespace
 
-ClippedVoronoi clip(const VoronoiDiagram& diagram, std::span<const Point2> window) {
+ClippedVoronoi clip_to_window(const VoronoiDiagram& diagram, std::span<const Point2> window,
+                              std::span<const std::size_t> sides, Crossings& crossings) {
   check_window(window);
-  return Clipper(diagram, window).clip();
+  return Clipper(diagram, window, sides, crossings).clip();
+}
+
+ClippedVoronoi clip(const VoronoiDiagram& diagram, std::span<const Point2> window) {
+  std::vector<std::size_t> sides(window.size());
+  std::iota(sides.begin(), sides.end(), std::size_t{0});
+  Crossings crossings;
+  return clip_to_window(diagram, window, sides, crossings);
 }
 
 std::array<Point2, 4> box_window(Point2 low, Point2 high) {

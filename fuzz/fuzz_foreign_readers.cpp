@@ -15,7 +15,10 @@
 #include "leonhard/mesh/io/formats/su2_parser.hpp"
 #include "leonhard/mesh/io/formats/su2_soup.hpp"
 #include "leonhard/mesh/io/formats/surface_formats.hpp"
+#include "leonhard/mesh/io/formats/surface_write.hpp"
 #include "leonhard/mesh/io/formats/vtk_grid.hpp"
+#include "leonhard/mesh/io/points3_file.hpp"
+#include "leonhard/mesh/io/points_file.hpp"
 #include "leonhard/mesh/io/soup/simple_polygon.hpp"
 #include "leonhard/mesh/io/surface_account.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
@@ -71,7 +74,7 @@ void try_gmsh(const std::string& text) {
 
 void try_medit(const std::string& text) {
   io::MeditData data = io::parse_medit_data(text, "fuzz");
-  if (data.dimension == 2) return try_soup(io::medit_soup<2>(std::move(data), "fuzz"), text);
+  if (io::dimension_of(data) == 2) return try_soup(io::medit_soup<2>(std::move(data), "fuzz"), text);
   try_soup(io::medit_soup<3>(std::move(data), "fuzz"), text);
 }
 
@@ -89,6 +92,28 @@ void try_surface(SurfaceFile surface, std::string_view text) {
   io::weld(surface, 0);
   if (io::surface_account(surface).repeated_places > 0)
     report("vertices of equal places were not welded", text);
+}
+
+/// Written by each format of triangles and quadrilaterals, and read again.
+void try_surface_on_its_way(const SurfaceFile& surface, std::string_view text) {
+  const bool has_signs = std::ranges::any_of(surface.markers, [](Marker marker) { return marker < 0; });
+  const auto check = [&](const SurfaceFile& again) {
+    if (again.set.points != surface.set.points || again.corners != surface.corners ||
+        again.offsets != surface.offsets)
+      report("a surface changed on its way", text);
+  };
+  check(io::parse_off(io::format_off(surface), "again"));
+  check(io::parse_obj(io::format_obj(surface), "again"));
+  check(io::parse_ply(io::format_ply(surface), "again"));
+  check(io::parse_medit_surface(io::format_medit_surface(surface), "again"));
+  if (!has_signs) check(io::parse_gmsh_surface(io::format_gmsh_surface(surface), "again"));
+  if (surface.polygon_count() > 0) (void)io::parse_stl(io::format_stl(surface), "again");
+  try_surface(surface, text);
+}
+
+void try_columns(const std::string& text) {
+  if (io::parse_xyz(text, "fuzz").set.points.empty()) report("columns without points", text);
+  (void)io::parse_xy(text, "fuzz", true);
 }
 
 void try_airfoils(const std::string& text) {
@@ -118,11 +143,13 @@ std::vector<fuzzing::Format> formats() {
        "version_4_0.msh", "partitioned.msh", "second_order.msh"},
       try_gmsh);
   add({"lagrange.vtu", "two_pieces.vtu", "apart.vtu", "orphan.vtu", "quadratic.vtu", "voxel.vtu",
-       "pixel_strip.vtu", "groups.vtu", "sorted_corners.vtu"},
+       "pixel_strip.vtu", "groups.vtu", "sorted_corners.vtu", "lz4.vtu", "lzma.vtu"},
       try_vtu);
   add({"legacy.vtk", "legacy_5.vtk"}, try_legacy);
   add({"inner_marker.su2", "z_column.su2", "no_markers.su2", "halo.su2", "two_zones.su2"}, try_su2);
-  add({"plane.mesh", "hexahedron.mesh"}, try_medit);
+  add({"plane.mesh", "flat.mesh", "hexahedron.mesh"}, try_medit);
+  add({"faces.mesh"}, [](Text text) { try_surface_on_its_way(io::parse_medit_surface(text, "fuzz"), text); });
+  add({"colours.xyz"}, try_columns);
   add({"coloured.stl"}, [](Text text) { try_surface(io::parse_stl(text, "fuzz"), text); });
   add({"glued.off"}, [](Text text) { try_surface(io::parse_off(text, "fuzz"), text); });
   add({"continued.obj"}, [](Text text) { try_surface(io::parse_obj(text, "fuzz"), text); });
@@ -138,8 +165,5 @@ std::vector<fuzzing::Format> formats() {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::vector<fuzzing::Format> all = fuzzing::accepted(formats());
-  fuzzing::Input input(data, size);
-  fuzzing::try_one(all, input);
-  return 0;
+  return fuzzing::try_formats(formats, data, size);
 }

@@ -163,8 +163,5 @@ std::vector<fuzzing::Format> formats() {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::vector<fuzzing::Format> all = fuzzing::accepted(formats());
-  fuzzing::Input input(data, size);
-  fuzzing::try_one(all, input);
-  return 0;
+  return fuzzing::try_formats(formats, data, size);
 }

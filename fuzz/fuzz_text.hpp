@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -43,7 +44,7 @@ inline std::vector<Format> accepted(std::vector<Format> all) {
 /// Replace, insert and erase bytes, or insert a word that readers fear.
 inline std::string edited(std::string text, Input& input) {
   constexpr std::array words{"nan",         "-inf", "1e999", "-1", "0", "1",      "2",
-                             "99999999999", "\n",   " ",     "%",  "#", "1e-320", "0.5"};
+                             "99999999999", "4294967295", "\n",   " ",     "%",  "#", "1e-320", "0.5"};
   while (!input.empty() && text.size() < 10000) {
     const auto operation = input.take<std::uint8_t>();
     const std::size_t at = input.take<std::uint16_t>() % (text.size() + 1);
@@ -75,6 +76,14 @@ inline void try_one(const std::vector<Format>& all, Input& input) {
     if (std::string_view(error.what()).find("marker ") == 0)
       report(std::string("a writer refused what its reader returned: ") + error.what(), text);
   }
+}
+
+/// What a target of readers does with an input; the formats are made once.
+inline int try_formats(std::vector<Format> (*formats)(), const std::uint8_t* data, std::size_t size) {
+  static const std::vector<Format> all = accepted(formats());
+  Input input(data, size);
+  try_one(all, input);
+  return 0;
 }
 
 }  // namespace leonhard::fuzzing

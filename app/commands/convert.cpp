@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
+#include <variant>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
@@ -10,8 +12,10 @@
 #include "leonhard/app/report/json.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/fingerprint.hpp"
-#include "leonhard/mesh/io/any_mesh_file.hpp"
+#include "leonhard/mesh/io/any_contents.hpp"
 #include "leonhard/mesh/io/extension.hpp"
+#include "leonhard/mesh/io/surface_account.hpp"
+#include "leonhard/mesh/io/surface_file.hpp"
 
 namespace leonhard::app {
 namespace {
@@ -62,8 +66,34 @@ void add_counts(Json& report, const MixedMesh<Dim>& mesh) {
       report[shape.names] = mesh.count_of(shape.kind);
 }
 
-ExitCode convert(const ConvertOptions& options) {
-  AnyMeshFile file = io::read_any_mesh(options.in, options.reading.options());
+void tell(const ConvertOptions& options, const std::vector<std::string>& warnings) {
+  if (options.common.quiet) return;
+  Console console(false);
+  for (const std::string& warning : warnings) console.warning(warning);
+}
+
+ExitCode convert_surface(const ConvertOptions& options, SurfaceFile surface) {
+  const auto& known = io::surface_output_extensions();
+  const std::string extension = io::small_extension(options.out);
+  if (std::ranges::count(known, extension) == 0)
+    throw InputError(options.out, options.in + " is a surface, which " + extension + " files do not hold",
+                     "use one of " + list_of(known));
+  if (options.reading.weld >= 0) io::weld(surface, options.reading.weld);
+  if (const std::string lost = io::write_surface(options.out, surface); !lost.empty())
+    surface.warnings.push_back(extension + " files have no place for these, which were left behind: " + lost);
+  tell(options, surface.warnings);
+  if (options.common.json) {
+    const Json report{{"in", options.in},
+                      {"out", options.out},
+                      {"vertices", surface.set.points.size()},
+                      {"polygons", surface.polygon_count()},
+                      {"warnings", surface.warnings}};
+    fmt::print("{}\n", report.text());
+  }
+  return ExitCode::done;
+}
+
+ExitCode convert_mesh(const ConvertOptions& options, AnyMeshFile file) {
   check_output(options, file);
   if (options.renumber)
     if (const std::string changed = io::renumber_markers(file); !changed.empty())
@@ -72,10 +102,7 @@ ExitCode convert(const ConvertOptions& options) {
     file.warnings.push_back(io::small_extension(options.out) +
                             " files have no place for these, which were left behind: " + lost);
   io::write_any_mesh(options.out, file, {options.msh_version == "2.2", options.binary});
-  if (!options.common.quiet) {
-    Console console(false);
-    for (const std::string& warning : file.warnings) console.warning(warning);
-  }
+  tell(options, file.warnings);
   if (options.common.json) {
     Json report{{"in", options.in}, {"out", options.out}};
     std::visit(
@@ -91,16 +118,36 @@ ExitCode convert(const ConvertOptions& options) {
   return ExitCode::done;
 }
 
+/// Formats of surfaces alone.
+bool is_surface_file(const std::string& file) {
+  const auto& meshes = io::any_mesh_extensions();
+  const std::string extension = io::small_extension(file);
+  return std::ranges::count(io::surface_extensions(), extension) > 0 &&
+         std::ranges::count(meshes, extension) == 0;
+}
+
+ExitCode convert(const ConvertOptions& options) {
+  if (is_surface_file(options.in)) return convert_surface(options, io::read_surface(options.in));
+  AnyContents contents = io::read_any_contents(options.in, options.reading.options());
+  if (auto* surface = std::get_if<SurfaceFile>(&contents))
+    return convert_surface(options, std::move(*surface));
+  if (auto* mesh = std::get_if<AnyMeshFile>(&contents)) return convert_mesh(options, std::move(*mesh));
+  throw InputError(options.in, "the file holds edges and no cells",
+                   "make a mesh of it first (leonhard mesh)");
+}
+
 }  // namespace
 
 Command convert_command() {
   const auto options = std::make_shared<ConvertOptions>();
   Command command{
       .name = "convert",
-      .help = "Read a mesh of the plane or of space in one format, write it in another; both by extension",
+      .help =
+          "Read a mesh of the plane or of space, or a surface, in one format, write it in another; both by "
+          "extension",
       .options =
-          {{"in", "Mesh to read", &options->in, true},
-           {"out", "Mesh to write", &options->out, true},
+          {{"in", "Mesh or surface to read", &options->in, true},
+           {"out", "Mesh or surface to write", &options->out, true},
            {"--renumber-markers",
             "Positive whole numbers in place of negative markers and regions, for formats without signs",
             &options->renumber},

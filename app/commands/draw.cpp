@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/commands/tet_drawing.hpp"
@@ -55,7 +56,9 @@ void check_plane(const DrawCommand& command) {
   if (command.what == "markers") refuse("--what markers");
 }
 
-void draw_triangles(const DrawCommand& command, const AnyMeshFile& file, const TriangleMesh& mesh) {
+/// cell_of  the cell of which each triangle is a part, or empty
+void draw_triangles(const DrawCommand& command, const AnyMeshFile& file, const TriangleMesh& mesh,
+                    std::span<const std::size_t> cell_of) {
   check_plane(command);
   const draw::PictureSize size{command.size[0], command.size[1]};
   if (!command.field.empty()) {
@@ -66,14 +69,19 @@ void draw_triangles(const DrawCommand& command, const AnyMeshFile& file, const T
   } else if (command.what == "partition") {
     const auto parts =
         graph::recursive_spectral_bisection(graph::dual_graph(mesh), command.parts, command.common.seed);
-    draw::draw_partition(command.common.output, mesh, parts.part_of, parts.parts,
-                         {.size = size, .view = plane_view(command.view), .title = command.title});
+    draw::draw_partition(
+        command.common.output, mesh, parts.part_of, parts.parts,
+        {.size = size, .view = plane_view(command.view), .title = command.title, .cell_of = cell_of});
   } else {
     const auto fill = command.what == "quality"   ? draw::MeshFill::quality
                       : command.what == "regions" ? draw::MeshFill::region
                                                   : draw::MeshFill::none;
     draw::draw_mesh(command.common.output, mesh,
-                    {.size = size, .view = plane_view(command.view), .title = command.title, .fill = fill});
+                    {.size = size,
+                     .view = plane_view(command.view),
+                     .title = command.title,
+                     .fill = fill,
+                     .cell_of = cell_of});
   }
 }
 
@@ -98,9 +106,12 @@ void draw_tetrahedra(const DrawCommand& command, const AnyMeshFile& file, const 
 
 ExitCode draw_file(const DrawCommand& command) {
   AnyMeshFile file = io::read_any_mesh(command.mesh, command.reading.options());
-  cut_cells(file);
+  const CutCells cut = cut_cells(file);
+  const bool shows_parts = file.dimension() == 3 || !command.field.empty() || command.what == "quality" ||
+                           command.what == "matrix";
+  if (shows_parts && !cut.words.empty()) file.warnings.push_back(cut.words);
   if (const TriangleMesh* triangles = std::get_if<TriangleMesh>(&file.mesh)) {
-    draw_triangles(command, file, *triangles);
+    draw_triangles(command, file, *triangles, cut.cell_of);
   } else {
     draw_tetrahedra(command, file, std::get<TetMesh>(file.mesh));
   }

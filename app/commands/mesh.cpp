@@ -105,9 +105,7 @@ MeshInput read_geometry(const MeshOptions& options) {
   input.the_case.mesher = options.mesher;
   if (options.size > 0) input.the_case.mesher.size = options.size;
   input.the_case.farfield = options.farfield;
-  std::vector<std::string> known = any_geometry_extensions();
-  known.push_back(".dat");
-  const std::string extension = io::known_extension(file, known, "geometry");
+  const std::string extension = io::known_extension(file, any_geometry_extensions(), "geometry");
   const bool is_columns =
       extension == ".xy" || extension == ".xyz" || extension == ".csv" || extension == ".txt";
   if (extension == ".dat" || (is_columns && looks_like_airfoil(file))) {
@@ -134,10 +132,14 @@ ExitCode mesh(const MeshOptions& options) {
   const MeshInput input = read_geometry(options);
   DomainGeometry domain =
       input.domain ? make_domain(input.the_case, *input.domain) : make_domain(input.the_case);
-  for (const std::string& warning : input.warnings) console.warning(warning);
+  std::vector<std::string> warnings = input.warnings;
+  for (const std::string& warning : warnings) console.warning(warning);
   domain.keep_convex_hull = options.convex_hull;
   const auto meshed = mesh_domain(domain, options.mesher, options.max_area, signals.token());
-  for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) console.warning(warning);
+  for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) {
+    console.warning(warning);
+    warnings.push_back(warning);
+  }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   io::write_mesh(options.common.output, meshed.mesh);
   const MeshReport report = mesh_report(meshed.mesh);
@@ -146,7 +148,9 @@ ExitCode mesh(const MeshOptions& options) {
     json["refinement"] = to_json(meshed.report);
     json["input"] = options.geometry;
     json["output"] = options.common.output;
-    json["warnings"] = input.warnings;
+    json["warnings"] = warnings;
+    // Of bodies in a far field the mesher's points are not the file's.
+    if (input.domain) json["merged_points"] = merged_points_json(meshed.vertex_of_input);
     json["seconds"] = Json{{"mesh", seconds}};
     json["peak_memory_bytes"] = peak_memory_bytes();
     fmt::print("{}\n", json.text());
@@ -176,7 +180,9 @@ Command mesh_command() {
       .help = "A quality mesh of a planar straight-line graph or about an airfoil",
       .options =
           {{"geometry",
-            "A domain (.poly .wkt .geojson), its outline (.xy .csv .txt) or airfoil coordinates (.dat)",
+            "A domain (.poly .wkt .geojson, the marked edges of .msh .mesh), its outline (.xy .csv .txt) or "
+            "airfoil "
+            "coordinates (.dat)",
             &options->geometry, true},
            {.names = "--min-angle",
             .help = "No angle below this, degrees",

@@ -10,6 +10,7 @@
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/geometry/geometry_file.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
+#include "leonhard/app/report/mesh_json.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
 #include "leonhard/app/report/peak_memory.hpp"
 #include "leonhard/app/report/points_report.hpp"
@@ -82,6 +83,7 @@ ExitCode triangulate(const TriangulateCommand& command) {
       json.update(to_json(*report));
       json["output"] = command.common.output;
     }
+    json["merged_points"] = merged_points_json(result.vertex_of_input);
     json["warnings"] = input.warnings;
     json["seconds"] = timer.seconds();
     json["peak_memory_bytes"] = peak_memory_bytes();
@@ -108,7 +110,9 @@ Command triangulate_command() {
   Command command{
       .name = "triangulate",
       .help = "The Delaunay triangulation of points, constrained where there are segments",
-      .options = {{"points", "Points (.node .xy .csv .txt .json) or a PSLG (.poly .wkt .geojson)",
+      .options = {{"points",
+                   "Points (.node .xy .csv .txt .json) or a PSLG (.poly .wkt .geojson .dat, the marked edges "
+                   "of .msh .mesh)",
                    &options->input, true},
                   {.names = "--algorithm",
                    .help = "The way to the triangulation, which is the same for all",

@@ -8,15 +8,24 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/geometry/geometry_file.hpp"
+#include "leonhard/app/geometry/hole_seeds.hpp"
+#include "leonhard/app/geometry/outline_checks.hpp"
 #include "leonhard/app/points/read_any_points.hpp"
 #include "leonhard/app/report/cells_file.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/peak_memory.hpp"
+#include "leonhard/app/report/points_report.hpp"
 #include "leonhard/delaunay/voronoi_clip.hpp"
+#include "leonhard/delaunay/voronoi_pieces.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/draw/diagram.hpp"
 #include "leonhard/mesh/io/extension.hpp"
@@ -24,88 +33,121 @@
 namespace leonhard::app {
 namespace {
 
-using delaunay::ClippedVoronoi;
 using delaunay::VoronoiDiagram;
+using delaunay::VoronoiPieces;
 
 struct VoronoiCommand {
   CommonOptions common;
-  std::string points, fill = "none", title;
+  std::string points, fill = "none", title, clip;
   std::vector<double> box;
   std::array<int, 2> size{1600, 1000};
   bool sites = false;
 };
 
-using Window = std::array<Point2, 4>;
+/// What the cells are cut to: a box, or a polygon.
+struct Window {
+  std::vector<Point2> corners;
+  Point2 low, high;
+  bool is_box = true;
+};
+
+Window window_of(std::span<const Point2> corners, bool is_box) {
+  const PointsAccount account = points_account(corners);
+  return {{corners.begin(), corners.end()}, account.low, account.high, is_box};
+}
+
+/// The one closed outline of a geometry.
+Window polygon_window(const std::string& path) {
+  GeometryFile file = read_any_geometry(path);
+  if (file.pslg.segments.empty()) file = as_outline(std::move(file));
+  const auto outlines = closed_outlines(file.pslg);
+  if (!outlines || outlines->size() != 1 || !file.pslg.holes.empty())
+    throw InputError("--clip", path + " is not one closed outline", "give a polygon without holes");
+  std::vector<Point2> corners;
+  for (const std::size_t p : outlines->front()) corners.push_back(file.pslg.points[p]);
+  return window_of(corners, false);
+}
 
 Window window_of(const VoronoiCommand& command, std::span<const Point2> points) {
-  if (command.box.empty()) return delaunay::window_about(points);
+  if (!command.clip.empty()) return polygon_window(command.clip);
+  if (command.box.empty()) return window_of(delaunay::window_about(points), true);
   const auto& b = command.box;
   if (!(b[0] < b[2] && b[1] < b[3]))
     throw InputError("--box", fmt::format("{:g},{:g},{:g},{:g} is no box", b[0], b[1], b[2], b[3]),
                      "give xmin,ymin,xmax,ymax");
-  return delaunay::box_window({b[0], b[1]}, {b[2], b[3]});
+  return window_of(delaunay::box_window({b[0], b[1]}, {b[2], b[3]}), true);
+}
+
+double area_of(const Window& window) {
+  if (window.is_box) return (window.high.x - window.low.x) * (window.high.y - window.low.y);
+  return std::abs(rounded_area2(window.corners)) / 2;
 }
 
 draw::Diagram picture_of(const VoronoiCommand& command, const VoronoiDiagram& diagram,
-                         const ClippedVoronoi& cells, const Window& window) {
-  const double air = 0.01 * std::max(window[2].x - window[0].x, window[2].y - window[0].y);
+                         const VoronoiPieces& pieces, const Window& window) {
+  const double air = 0.01 * std::max(window.high.x - window.low.x, window.high.y - window.low.y);
   draw::Diagram picture;
   picture.title = command.title;
   picture.axes = true;
   picture.scale_label = "area of the cell";
-  picture.region = draw::Box{window[0] + Vec2{-air, -air}, window[2] + Vec2{air, air}};
+  picture.region = draw::Box{window.low + Vec2{-air, -air}, window.high + Vec2{air, air}};
   // Many cells: thinner lines and smaller dots, so that they keep apart.
   const double fine = std::clamp(40 / std::sqrt(static_cast<double>(diagram.sites.size()) + 1), 0.3, 1.0);
   const bool by_area = command.fill == "area";
   // Over the scale's colours, dark and light, other ones are seen than over white.
   const draw::Colour edge = by_area ? draw::Colour{0.9, 0.9, 0.9} : draw::Colour{0.22, 0.27, 0.36};
   const draw::Colour dot = by_area ? draw::Colour{0.9, 0.25, 0.1} : draw::Colour{0.1, 0.1, 0.1};
-  for (const VertexId site : diagram.sites.ids()) {
-    const auto corners = cells.cell(site);
-    if (corners.empty()) continue;
+  std::optional<VertexId> last;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto corners = pieces.piece(i);
     const std::vector<Point2> polygon(corners.begin(), corners.end());
-    if (by_area) picture.areas.push_back({.corners = polygon, .value = cells.area[site]});
+    if (by_area) picture.areas.push_back({.corners = polygon, .value = pieces.area[i]});
     picture.paths.push_back({polygon, {.colour = edge, .width = fine}, true});
-    if (command.sites) picture.dots.push_back({diagram.sites[site], dot, fine});
+    if (command.sites && last != pieces.site[i])
+      picture.dots.push_back({diagram.sites[pieces.site[i]], dot, fine});
+    last = pieces.site[i];
   }
-  picture.paths.push_back({{window.begin(), window.end()}, {.colour = {0.1, 0.1, 0.1}, .width = 2}, true});
+  picture.paths.push_back({window.corners, {.colour = {0.1, 0.1, 0.1}, .width = 2}, true});
   return picture;
 }
 
 void write(const VoronoiCommand& command, const std::string& extension, const VoronoiDiagram& diagram,
-           const ClippedVoronoi& cells, const Window& window) {
+           const VoronoiPieces& pieces, const Window& window) {
   const std::string& path = command.common.output;
-  if (extension == ".vtu") return write_cells_vtu(path, diagram, cells);
-  if (extension == ".geojson") return write_cells_geojson(path, diagram, cells);
-  if (extension == ".json") return write_cells_json(path, diagram, cells);
-  draw::draw_diagram(path, picture_of(command, diagram, cells, window), {command.size[0], command.size[1]});
+  if (extension == ".vtu") return write_cells_vtu(path, diagram, pieces);
+  if (extension == ".geojson") return write_cells_geojson(path, diagram, pieces);
+  if (extension == ".json") return write_cells_json(path, diagram, pieces);
+  draw::draw_diagram(path, picture_of(command, diagram, pieces, window), {command.size[0], command.size[1]});
 }
 
 struct VoronoiReport {
   std::size_t points{}, sites{}, duplicates{}, unbounded{}, vertices{}, edges{};
-  Point2 low, high;  ///< of the box
+  Point2 low, high;  ///< of the window
+  bool is_box = true;
+  std::size_t pieces{};
   std::size_t cells_in_box{};
   double area_sum{}, box_area{}, largest_area{};
 };
 
-VoronoiReport report_of(const VoronoiDiagram& diagram, const ClippedVoronoi& cells, const Window& window) {
+VoronoiReport report_of(const VoronoiDiagram& diagram, const VoronoiPieces& pieces, const Window& window) {
   VoronoiReport report;
   report.points = diagram.site_of_input.size();
   report.sites = diagram.sites.size();
   report.duplicates = report.points - report.sites;
   report.vertices = diagram.vertices.size();
   report.edges = diagram.edges.size();
-  report.low = window[0];
-  report.high = window[2];
-  report.box_area = (window[2].x - window[0].x) * (window[2].y - window[0].y);
-  for (const double area : cells.area) {
-    report.area_sum += area;
-    report.largest_area = std::max(report.largest_area, area);
+  report.low = window.low;
+  report.high = window.high;
+  report.is_box = window.is_box;
+  report.box_area = area_of(window);
+  report.pieces = pieces.size();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    report.area_sum += pieces.area[i];
+    report.largest_area = std::max(report.largest_area, pieces.area[i]);
+    if (i == 0 || pieces.site[i] != pieces.site[i - 1]) ++report.cells_in_box;
   }
-  for (const VertexId site : diagram.sites.ids()) {
-    if (!cells.cell(site).empty()) ++report.cells_in_box;
+  for (const VertexId site : diagram.sites.ids())
     if (diagram.is_unbounded(site)) ++report.unbounded;
-  }
   return report;
 }
 
@@ -119,6 +161,7 @@ Json to_json(const VoronoiReport& report) {
           {"edges", report.edges},
           {"box", Json{{"low", place(report.low)}, {"high", place(report.high)}}},
           {"cells_in_box", report.cells_in_box},
+          {"pieces", report.pieces},
           {"area_sum", report.area_sum},
           {"box_area", report.box_area},
           {"largest_area", report.largest_area}};
@@ -134,8 +177,13 @@ std::string text_of(const VoronoiReport& report) {
   line("unbounded cells", grouped(report.unbounded));
   line("vertices", grouped(report.vertices));
   line("edges", grouped(report.edges));
-  line("cells in the box", grouped(report.cells_in_box));
-  line("their areas", fmt::format("{:.15g} together, the box has {:.15g}", report.area_sum, report.box_area));
+  const char* window = report.is_box ? "the box" : "the polygon";
+  line(
+      fmt::format("cells in {}", window),
+      grouped(report.cells_in_box) +
+          (report.pieces > report.cells_in_box ? fmt::format(", in {} pieces", grouped(report.pieces)) : ""));
+  line("their areas",
+       fmt::format("{:.15g} together, {} has {:.15g}", report.area_sum, window, report.box_area));
   return text;
 }
 
@@ -161,12 +209,13 @@ ExitCode voronoi(const VoronoiCommand& command) {
     return ExitCode::stopped;
   }
   timer.lap("diagram");
-  const ClippedVoronoi cells = delaunay::clip(*diagram, window);
+  const VoronoiPieces pieces = window.is_box ? delaunay::pieces_of(delaunay::clip(*diagram, window.corners))
+                                             : delaunay::clip_to_polygon(*diagram, window.corners);
   timer.lap("clip");
-  write(command, extension, *diagram, cells, window);
+  write(command, extension, *diagram, pieces, window);
   timer.lap("write");
 
-  const VoronoiReport report = report_of(*diagram, cells, window);
+  const VoronoiReport report = report_of(*diagram, pieces, window);
   if (command.common.json) {
     Json json = to_json(report);
     json["output"] = command.common.output;
@@ -187,12 +236,16 @@ Command voronoi_command() {
   options->common.output = "voronoi.png";
   Command command{
       .name = "voronoi",
-      .help = "The Voronoi diagram of points, its cells clipped to a box, with areas",
+      .help = "The Voronoi diagram of points, its cells clipped to a box or a polygon, with areas",
       .options = {{"points", "Points (.node .xy .csv .txt .json .geojson)", &options->points, true},
                   {.names = "--box",
                    .help = "xmin,ymin,xmax,ymax; otherwise the points' box and a margin",
                    .target = &options->box,
                    .length = OptionLength{4, 4}},
+                  {.names = "--clip",
+                   .help = "A polygon, convex or not, in place of the box (.wkt .geojson .poly .xy .csv ...)",
+                   .target = &options->clip,
+                   .excludes = "--box"},
                   {"--sites", "Picture: show the sites", &options->sites},
                   {.names = "--fill",
                    .help = "Picture: colour of the cells",

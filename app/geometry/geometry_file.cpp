@@ -3,12 +3,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "leonhard/app/geometry/hole_seeds.hpp"
 #include "leonhard/app/geometry/outline_checks.hpp"
 #include "leonhard/app/points/planar_shapes.hpp"
 #include "leonhard/app/points/points_json.hpp"
 #include "leonhard/app/points/read_any_points.hpp"
+#include "leonhard/mesh/io/airfoil_dat.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/pslg_file.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
@@ -18,9 +22,10 @@ namespace {
 
 constexpr Marker marker_of_lines = 1;
 
-void add_segments(Pslg& pslg, std::size_t first, std::size_t end, bool closed) {
-  for (std::size_t i = first; i + 1 < end; ++i) pslg.segments.push_back({i, i + 1, marker_of_lines});
-  if (closed && end > first + 2) pslg.segments.push_back({end - 1, first, marker_of_lines});
+void add_segments(Pslg& pslg, std::size_t first, std::size_t end, bool closed,
+                  Marker marker = marker_of_lines) {
+  for (std::size_t i = first; i + 1 < end; ++i) pslg.segments.push_back({i, i + 1, marker});
+  if (closed && end > first + 2) pslg.segments.push_back({end - 1, first, marker});
 }
 
 GeometryFile geometry_of(PlanarShapes&& shapes, const std::string& source) {
@@ -42,6 +47,21 @@ GeometryFile geometry_of(PlanarShapes&& shapes, const std::string& source) {
   return file;
 }
 
+/// Sections of an airfoil file, each an outline with its number as marker; they lie beside each other.
+GeometryFile geometry_of_airfoils(const std::filesystem::path& path) {
+  GeometryFile file;
+  file.pslg.source = path.string();
+  for (AirfoilCoordinates& element : io::read_airfoils(path)) {
+    const std::size_t first = file.pslg.points.size();
+    const auto marker = static_cast<Marker>(file.pslg.marker_names.size() + 1);
+    file.pslg.points.insert(file.pslg.points.end(), element.points.begin(), element.points.end());
+    add_segments(file.pslg, first, file.pslg.points.size(), true, marker);
+    file.pslg.marker_names.emplace(marker, path.stem().string() + "_" + std::to_string(marker));
+    std::move(element.warnings.begin(), element.warnings.end(), std::back_inserter(file.warnings));
+  }
+  return file;
+}
+
 GeometryFile geometry_of_points(const std::filesystem::path& path) {
   PointsFile points = read_any_points(path);
   GeometryFile file;
@@ -58,7 +78,8 @@ GeometryFile geometry_of_points(const std::filesystem::path& path) {
 
 const std::vector<std::string>& any_geometry_extensions() {
   static const std::vector<std::string> known = [] {
-    std::vector<std::string> all{".poly", ".wkt"};
+    std::vector<std::string> all = io::pslg_extensions();
+    all.insert(all.end(), {".wkt", ".dat"});
     all.insert(all.end(), any_point_extensions().begin(), any_point_extensions().end());
     return all;
   }();
@@ -67,11 +88,13 @@ const std::vector<std::string>& any_geometry_extensions() {
 
 GeometryFile read_any_geometry(const std::filesystem::path& path) {
   const std::string extension = io::known_extension(path, any_geometry_extensions(), "points or geometry");
-  if (extension == ".poly") {
+  if (std::ranges::count(io::pslg_extensions(), extension) > 0) {
     GeometryFile file;
     file.pslg = io::read_pslg(path, file.warnings);
+    if (extension != ".poly") find_holes(file.pslg, file.warnings);
     return file;
   }
+  if (extension == ".dat") return geometry_of_airfoils(path);
   if (extension == ".wkt")
     return geometry_of(parse_wkt(io::read_whole_file(path), path.string()), path.string());
   if (extension == ".json" || extension == ".geojson")

@@ -15,11 +15,12 @@ struct GeometryFile {
   std::vector<std::string> warnings;
 };
 
-/// Read a geometry of the plane, format by extension: .poly (Triangle's), .wkt (well-known text), .geojson and .json; and those
-/// of points (.node .xy .xyz .csv .txt), which have no segments. Lines and rings become segments, all with the marker 1; a ring
-/// within a polygon bounds a hole.
+/// Read a geometry of the plane, format by extension: .poly (Triangle's), .wkt (well-known text), .geojson and .json; .msh and
+/// .mesh, the edges with their markers (io::read_pslg) and the holes that follow from them (find_holes); .dat, the sections of
+/// airfoils, element i with the marker i; and those of points (.node .xy .xyz .csv .txt), which have no segments. Lines and rings
+/// of WKT and JSON become segments, all with the marker 1; a ring within a polygon bounds a hole.
 ///
-/// throws  InputError naming file and line, as the readers do, and naming a hole that crosses itself
+/// throws  InputError naming file and line, as the readers do, and naming an outline that crosses itself
 [[nodiscard]] GeometryFile read_any_geometry(const std::filesystem::path& path);
 
 /// What read_any_geometry knows.

@@ -161,7 +161,7 @@ void check_outline(const NamedOutline& body) {
   for_overlapping(edges_by_x({&body, 1}), check_pair);
 }
 
-void check_apart(std::span<const NamedOutline> bodies) {
+void check_edges_apart(std::span<const NamedOutline> bodies, const std::string& remedy) {
   for_overlapping(edges_by_x(bodies), [&](const Edge& e, const Edge& f) {
     if (e.outline == f.outline || !segments_meet(e.from, e.to, f.from, f.to)) return;
     const Edge& g = e.outline < f.outline ? e : f;
@@ -172,15 +172,20 @@ void check_apart(std::span<const NamedOutline> bodies) {
             "bodies \"{}\" and \"{}\" overlap or touch: the edge from {} to {} meets the edge from {} to {}",
             bodies[g.outline].name, bodies[h.outline].name, words(g.from), words(g.to), words(h.from),
             words(h.to)),
-        "move one of them with translation, rotation_deg or scale");
+        remedy);
   });
+}
+
+void check_apart(std::span<const NamedOutline> bodies) {
+  const std::string remedy = "move one of them with translation, rotation_deg or scale";
+  check_edges_apart(bodies, remedy);
   for (const NamedOutline& inner : bodies)
     for (const NamedOutline& outer : bodies)
       if (&inner != &outer && locate_in_polygon(outer.points, inner.points.front()) == PointPlace::inside)
         throw InputError(inner.where,
                          fmt::format("body \"{}\" lies inside body \"{}\": its point {} does", inner.name,
                                      outer.name, words(inner.points.front())),
-                         "move one of them with translation, rotation_deg or scale");
+                         remedy);
 }
 
 void check_inside_far_field(std::span<const NamedOutline> bodies, std::span<const Point2> far_field,

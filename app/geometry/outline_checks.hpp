@@ -31,6 +31,10 @@ enum class PointPlace { inside, on_boundary, outside };
 /// throws InputError naming the body, the points' numbers (from 1) and coordinates. Cost O(n log n) for usual shapes.
 void check_outline(const NamedOutline& body);
 
+/// No edge of one body meets one of another; one may contain another.
+/// throws InputError naming both, where, and the remedy. Each must have passed check_outline.
+void check_edges_apart(std::span<const NamedOutline> bodies, const std::string& remedy);
+
 /// Bodies among each other: none crosses, touches or contains another.
 /// throws InputError naming both bodies and where. Each must have passed check_outline.
 void check_apart(std::span<const NamedOutline> bodies);

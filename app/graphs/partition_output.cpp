@@ -37,13 +37,12 @@ void write_grid(const std::filesystem::path& path, AnyMeshFile& file, GraphOf wh
   io::write_any_mesh(path, file);
 }
 
-/// A mixed mesh cut into simplices, each in the part of its cell.
-Partition cut_with_parts(AnyMeshFile& file, const Partition& partition) {
-  const std::vector<std::size_t> cell_of = cut_cells(file);
-  if (cell_of.empty()) return partition;
+/// The parts of a mesh's cells as those of the simplices that they were cut into.
+Partition with_parts_of(const CutCells& cut, const Partition& partition) {
+  if (cut.cell_of.empty()) return partition;
   Partition parts = partition;
   parts.part_of.clear();
-  for (const std::size_t cell : cell_of) parts.part_of.push_back(partition.part_of[cell]);
+  for (const std::size_t cell : cut.cell_of) parts.part_of.push_back(partition.part_of[cell]);
   return parts;
 }
 
@@ -105,10 +104,11 @@ void write_partition(const PartitionOutput& output, AnyGraph& input, GraphOf whi
   if (extension == ".vtu") return write_grid(path, *input.file, which, partition);
   if (!input.has_mesh() || (which == GraphOf::vertices && !input.triangles()))
     return draw_graph(output, input, partition, title);
-  const Partition parts = which == GraphOf::cells ? cut_with_parts(*input.file, partition) : partition;
+  const CutCells cut = which == GraphOf::cells ? cut_cells(*input.file) : CutCells{};
+  const Partition parts = with_parts_of(cut, partition);
   if (const TriangleMesh* triangles = input.triangles())
     return draw::draw_partition(path, *triangles, parts.part_of, parts.parts,
-                                {.view = plane_view(output.view), .title = title});
+                                {.view = plane_view(output.view), .title = title, .cell_of = cut.cell_of});
   draw::draw_tet_partition(path, *input.tets(), parts.part_of, parts.parts,
                            tet_options(output, *input.tets(), title));
 }

@@ -12,9 +12,10 @@ namespace leonhard::app {
 namespace {
 
 template <int Dim>
-std::vector<std::size_t> cut(AnyMeshFile& file, const MixedMesh<Dim>& mesh) {
+CutCells cut(AnyMeshFile& file, const MixedMesh<Dim>& mesh) {
   mesh::SplitMesh<Dim> split = mesh::split_cells(mesh);
-  std::vector<std::size_t> cell_of;
+  CutCells result;
+  std::vector<std::size_t>& cell_of = result.cell_of;
   for (const CellId cell : split.cell_of) cell_of.push_back(cell.index());
   for (CellField& field : file.cell_fields) {
     std::vector<double> values;
@@ -24,15 +25,15 @@ std::vector<std::size_t> cut(AnyMeshFile& file, const MixedMesh<Dim>& mesh) {
     field.values = std::move(values);
   }
   const std::size_t whole = mesh.count_of(simplex_kind<Dim>);
-  file.warnings.push_back(
-      fmt::format("{} cells are drawn cut into {}", grouped(mesh.cell_count() - whole), Simplex<Dim>::cells));
+  result.words =
+      fmt::format("{} cells are drawn cut into {}", grouped(mesh.cell_count() - whole), Simplex<Dim>::cells);
   file.mesh = std::move(split.mesh);
-  return cell_of;
+  return result;
 }
 
 }  // namespace
 
-std::vector<std::size_t> cut_cells(AnyMeshFile& file) {
+CutCells cut_cells(AnyMeshFile& file) {
   if (auto* plane = std::get_if<MixedMesh<2>>(&file.mesh)) return cut(file, MixedMesh<2>(std::move(*plane)));
   if (auto* space = std::get_if<MixedMesh<3>>(&file.mesh)) return cut(file, MixedMesh<3>(std::move(*space)));
   return {};

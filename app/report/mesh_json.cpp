@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/app/report/mesh_json.hpp"
 
+#include <unordered_map>
+
 namespace leonhard::app {
 
 Json to_json(const EulerAccount::Formula& formula) {
@@ -47,6 +49,17 @@ Json to_json(const delaunay::RefineReport& report) {
           {"excused_small_input_angle", report.excused_small_input_angle},
           {"excused_min_edge", report.excused_min_edge},
           {"excused_rounding", report.excused_rounding}};
+}
+
+Json merged_points_json(const std::vector<MaybeId<VertexId>>& vertex_of_input) {
+  std::unordered_map<IdRaw, std::size_t> first_of;
+  Json pairs = Json::array();
+  for (std::size_t i = 0; i < vertex_of_input.size(); ++i) {
+    if (!vertex_of_input[i]) continue;
+    const auto [first, is_new] = first_of.emplace((*vertex_of_input[i]).raw, i);
+    if (!is_new) pairs.push_back(Json::array({i, first->second}));
+  }
+  return pairs;
 }
 
 }  // namespace leonhard::app

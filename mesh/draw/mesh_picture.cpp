@@ -59,7 +59,7 @@ class MeshPicture {
     if (options_.fill == MeshFill::region) fill_regions(scene);
     const bool filled = options_.fill != MeshFill::none;
     stroke_edges(canvas_, scene, filled ? Colour{0.25, 0.25, 0.28} : Colour{0.22, 0.27, 0.36},
-                 filled ? 0.6 : 0.9);
+                 filled ? 0.6 : 0.9, options_.cell_of);
     if (options_.show_vertices) mark_vertices(scene);
     colour_boundaries(scene);
     ring_marks(scene);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -39,6 +40,8 @@ struct MeshOptions {
   bool show_vertices = false;
   std::vector<Point2> marks{};  ///< rings about these points
   LegendPlace legend = LegendPlace::automatic;
+  /// The cell of which each triangle is a part: no edge is drawn within a cell. Empty: each is a cell of its own.
+  std::span<const std::size_t> cell_of{};
 };
 
 /// The mesh: edges thin, boundaries thick.
@@ -56,6 +59,7 @@ struct PartitionOptions {
   std::string title{};
   std::string x_label = "x", y_label = "y";
   bool show_mesh = true;
+  std::span<const std::size_t> cell_of{};  ///< as of MeshOptions
 };
 
 /// A partition, the parts of neighbouring triangles in different colours, the edges between parts dark.

@@ -10,10 +10,13 @@
 #include <utility>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/any_contents.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh.hpp"
 #include "leonhard/mesh/io/mesh_file.hpp"
+#include "leonhard/mesh/io/pslg_file.hpp"
 #include "leonhard/mesh/io/soup/read_soup.hpp"
+#include "leonhard/mesh/io/soup/surface_builder.hpp"
 #include "leonhard/mesh/io/tet_mesh_file.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/words.hpp"
@@ -159,6 +162,36 @@ std::string renumber(Mesh& mesh) {
   return markers + (markers.empty() || regions.empty() ? "" : "; ") + regions;
 }
 
+AnyMeshFile mesh_of(AnySoup&& any, const ReadOptions& options) {
+  return std::visit(
+      [&](auto&& soup) {
+        constexpr int dimension = std::is_same_v<std::decay_t<decltype(soup)>, MeshSoup<2>> ? 2 : 3;
+        const bool simplices_alone =
+            soup.mesh.count_of(simplex_kind<dimension>) == soup.mesh.cell_count() || options.split;
+        if (simplices_alone) return any_of(assemble_simplices(std::move(soup), options));
+        return any_of(assemble_mixed(std::move(soup), options));
+      },
+      std::move(any));
+}
+
+template <int Dim>
+bool has_facets_alone(const MeshSoup<Dim>& soup) {
+  return soup.mesh.kinds.empty() && !soup.mesh.boundary.empty();
+}
+
+/// The faces of a file without cells.
+SurfaceFile surface_of(MeshSoup<3>&& soup) {
+  SurfaceBuilder surface(soup.source, 0);
+  surface.set_points({std::move(soup.mesh.points.flat()), {}, 0, {}}, 0);
+  for (std::size_t i = 0; i < soup.mesh.boundary.size(); ++i) {
+    const auto& face = soup.mesh.boundary[i];
+    for (const VertexId v : face.corners) surface.add_corner(static_cast<std::int64_t>(v.index()));
+    surface.end_polygon(soup.facet_lines.empty() ? 0 : soup.facet_lines[i], face.marker);
+  }
+  for (std::string& warning : soup.warnings) surface.warn(std::move(warning));
+  return std::move(surface).finish();
+}
+
 }  // namespace
 
 const std::vector<std::string>& any_mesh_extensions() {
@@ -178,15 +211,18 @@ std::vector<std::string> any_mesh_output_extensions(const AnyMeshFile& file) {
 }
 
 AnyMeshFile read_any_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  return std::visit(
-      [&](auto&& soup) {
-        constexpr int dimension = std::is_same_v<std::decay_t<decltype(soup)>, MeshSoup<2>> ? 2 : 3;
-        const bool simplices_alone =
-            soup.mesh.count_of(simplex_kind<dimension>) == soup.mesh.cell_count() || options.split;
-        if (simplices_alone) return any_of(assemble_simplices(std::move(soup), options));
-        return any_of(assemble_mixed(std::move(soup), options));
-      },
-      read_any_soup(path, options));
+  return mesh_of(read_any_soup(path, options), options);
+}
+
+AnyContents read_any_contents(const std::filesystem::path& path, const ReadOptions& options) {
+  AnySoup soup = read_any_soup(path, options);
+  if (auto* space = std::get_if<MeshSoup<3>>(&soup); space != nullptr && has_facets_alone(*space))
+    return surface_of(std::move(*space));
+  const bool can_be_graph = std::ranges::count(pslg_extensions(), small_extension(path)) > 0;
+  if (auto* plane = std::get_if<MeshSoup<2>>(&soup);
+      plane != nullptr && can_be_graph && has_facets_alone(*plane))
+    return EdgesAlone{};
+  return mesh_of(std::move(soup), options);
 }
 
 void write_any_mesh(const std::filesystem::path& path, const AnyMeshFile& file, const WriteOptions& options) {

@@ -9,6 +9,7 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/gmsh_soup.hpp"
+#include "leonhard/mesh/io/formats/medit_data.hpp"
 #include "leonhard/mesh/io/formats/su2_parser.hpp"
 #include "leonhard/mesh/io/formats/vtk_grid.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
@@ -81,7 +82,10 @@ int file_dimension(const std::filesystem::path& path) {
   }
   if (extension == ".p2dfmt") return 2;
   const std::string head = read_file_head(path, head_bytes);
-  if (extension == ".mesh") return keyword_value(head, source, "DIMENSION", {.comment = '#'});
+  if (extension == ".mesh") {
+    if (keyword_value(head, source, "DIMENSION", {.comment = '#'}) == 2) return 2;
+    return dimension_of(parse_medit_data(read_whole_file(path), source));
+  }
   if (extension == ".face" || extension == ".smesh") return 3;
   if (extension == ".edge" || extension == ".p2dfmt") return 2;
   return second_number(head, source, extension == ".ele" || extension == ".neigh");

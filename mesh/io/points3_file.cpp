@@ -42,7 +42,7 @@ Points3File parse_node3(std::string_view text, const std::string& source) {
 }
 
 Points3File parse_xyz(std::string_view text, const std::string& source) {
-  PointColumns columns = parse_point_columns(text, source, 3);
+  PointColumns columns = parse_point_columns(text, source, 3, true);
   Points3File file;
   file.warnings = std::move(columns.warnings);
   file.set.points.reserve(columns.coordinates.size() / 3);

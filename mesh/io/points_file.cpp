@@ -25,8 +25,8 @@ PointsFile parse_node(std::string_view text, const std::string& source) {
   return {std::move(static_cast<PointSet&>(table)), {}};
 }
 
-PointsFile parse_xy(std::string_view text, const std::string& source) {
-  PointColumns columns = parse_point_columns(text, source, 2);
+PointsFile parse_xy(std::string_view text, const std::string& source, bool further) {
+  PointColumns columns = parse_point_columns(text, source, 2, further);
   PointsFile file;
   file.warnings = std::move(columns.warnings);
   file.set.points.reserve(columns.coordinates.size() / 2);
@@ -38,7 +38,8 @@ PointsFile parse_xy(std::string_view text, const std::string& source) {
 PointsFile read_points(const std::filesystem::path& path) {
   const std::string extension = known_extension(path, point_extensions(), "points");
   const std::string text = read_whole_file(path);
-  return extension == ".node" ? parse_node(text, path.string()) : parse_xy(text, path.string());
+  return extension == ".node" ? parse_node(text, path.string())
+                              : parse_xy(text, path.string(), extension == ".xy");
 }
 
 std::string format_node(const PointSet& set) {

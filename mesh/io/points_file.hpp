@@ -19,7 +19,7 @@ struct PointsFile {
 namespace io {
 
 /// Read points of the plane, format by extension: .node (Triangle's: attributes and markers kept, numbered from 0 or
-/// 1), and .xy, .xyz, .csv and .txt as columns (point_columns.hpp).
+/// 1), and .xy, .xyz, .csv and .txt as columns (point_columns.hpp); of a .xy further columns are left out.
 ///
 /// throws InputError naming file and line: file missing, empty, cut short or binary, unknown extension, NaN,
 /// infinities, letters among numbers, too few columns; a third column that no header explains, as in a .xyz of
@@ -36,7 +36,7 @@ void write_points(const std::filesystem::path& path, const PointSet& set);
 
 /// The same from texts; source names them in errors.
 [[nodiscard]] PointsFile parse_node(std::string_view text, const std::string& source);
-[[nodiscard]] PointsFile parse_xy(std::string_view text, const std::string& source);
+[[nodiscard]] PointsFile parse_xy(std::string_view text, const std::string& source, bool further = false);
 [[nodiscard]] std::string format_node(const PointSet& set);
 /// One point a line, the coordinates separated by `separator`.
 [[nodiscard]] std::string format_xy(const PointSet& set, char separator = ' ');

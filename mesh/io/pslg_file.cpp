@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/io/pslg_file.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
 #include "leonhard/mesh/io/extension.hpp"
 #include "leonhard/mesh/io/formats/triangle_files.hpp"
+#include "leonhard/mesh/io/soup/read_soup.hpp"
+#include "leonhard/mesh/io/soup/soup_checks.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 
 namespace leonhard::io {
 
 namespace {
-
-const std::vector<std::string> pslg_extensions{".poly"};
 
 /// Whether a .poly file leaves its vertices to a .node file.
 bool declares_no_vertices(const std::string& poly, const std::string& source) {
@@ -23,7 +27,66 @@ bool declares_no_vertices(const std::string& poly, const std::string& source) {
   return scan.integer("the number of vertices") == 0;
 }
 
+/// The segments of marked edges, and the points that they use.
+class EdgeGraph {
+ public:
+  explicit EdgeGraph(const PerId<VertexId, Point2>& points) : points_(points), number_(points.size()) {}
+
+  void add(const MixedFacet<2>& edge, Marker marker) {
+    const std::size_t from = number_of(edge[0]), to = number_of(edge[1]);
+    if (!known_.insert(std::minmax(from, to)).second) return;
+    pslg_.segments.push_back({from, to, marker});
+  }
+  [[nodiscard]] Pslg finish() && { return std::move(pslg_); }
+
+ private:
+  std::size_t number_of(VertexId v) {
+    if (!number_[v]) {
+      number_[v] = pslg_.points.size();
+      pslg_.points.push_back(points_[v]);
+    }
+    return *number_[v];
+  }
+
+  const PerId<VertexId, Point2>& points_;
+  PerId<VertexId, std::optional<std::size_t>> number_;
+  std::set<std::pair<std::size_t, std::size_t>> known_;
+  Pslg pslg_;
+};
+
+Pslg graph_of(const MixedMesh<2>& mesh, const std::string& source) {
+  EdgeGraph graph(mesh.points);
+  for (const auto* edges : {&mesh.boundary, &mesh.inner_facets})
+    for (const auto& edge : *edges) graph.add(edge.corners, edge.marker);
+  Pslg pslg = std::move(graph).finish();
+  if (pslg.segments.empty())
+    throw InputError(source, "the file has no edges", "give a mesh of the plane, or the edges of an outline");
+  pslg.marker_names = mesh.marker_names;
+  pslg.source = source;
+  return pslg;
+}
+
+/// The edges of a .msh or .mesh.
+Pslg read_edges(const std::filesystem::path& path, std::vector<std::string>& warnings) {
+  MeshSoup<2> soup = read_soup<2>(path, {});
+  if (soup.mesh.kinds.empty()) {
+    check_corners_and_places(soup);
+    warnings.insert(warnings.end(), soup.warnings.begin(), soup.warnings.end());
+    return graph_of(soup.mesh, path.string());
+  }
+  const MixedMeshFile<2> file = assemble_mixed(std::move(soup));
+  warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+  if (std::ranges::any_of(file.mesh.regions, [](double region) { return region != 0; }))
+    warnings.push_back("the regions of its cells are not carried to the graph of its edges");
+  return graph_of(file.mesh, path.string());
+}
+
 }  // namespace
+
+const std::vector<std::string>& pslg_extensions() {
+  static const std::vector<std::string> known{".poly", ".msh", ".mesh"};
+  return known;
+}
 
 Pslg read_pslg(const std::filesystem::path& path) {
   std::vector<std::string> warnings;
@@ -31,7 +94,7 @@ Pslg read_pslg(const std::filesystem::path& path) {
 }
 
 Pslg read_pslg(const std::filesystem::path& path, std::vector<std::string>& warnings) {
-  known_extension(path, pslg_extensions, "geometry");
+  if (known_extension(path, pslg_extensions(), "geometry") != ".poly") return read_edges(path, warnings);
   const std::string poly = read_whole_file(path);
   std::filesystem::path node_path = path;
   node_path.replace_extension(".node");
@@ -42,7 +105,7 @@ Pslg read_pslg(const std::filesystem::path& path, std::vector<std::string>& warn
 }
 
 void write_pslg(const std::filesystem::path& path, const Pslg& pslg) {
-  known_extension(path, pslg_extensions, "geometry");
+  known_extension(path, {".poly"}, "geometry");
   write_file_atomically(path, format_poly(pslg));
 }
 

@@ -16,6 +16,16 @@ namespace leonhard::io {
 /// that do not match, corners that are no vertices
 [[nodiscard]] SurfaceFile read_surface(const std::filesystem::path& path);
 
+/// Write a surface, format by extension: .off, .obj, .ply, .stl (text: nothing is rounded), and those of triangles and
+/// quadrilaterals alone .mesh (Medit's), .msh (Gmsh's) and .vtu. Markers go into .mesh, .msh and .vtu; what is left
+/// behind the result tells, "" if nothing.
+///
+/// throws  InputError for an unknown extension, polygons that the format has not; OutputError if the file cannot be written
+std::string write_surface(const std::filesystem::path& path, const SurfaceFile& surface);
+
+/// What write_surface knows.
+[[nodiscard]] const std::vector<std::string>& surface_output_extensions();
+
 /// ".off", ".obj", ...: what read_surface knows.
 [[nodiscard]] const std::vector<std::string>& surface_extensions();
 

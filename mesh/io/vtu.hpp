@@ -17,13 +17,15 @@ namespace leonhard::io {
 ///
 /// Point data: one array a field (two components are written as three with a zero, since VTK knows only
 /// three-component vectors, and with the attribute leonhard_components="2", which other programs pass over) and
-/// `marker`. Cell data: one array a field and `region`. Field data: `leonhard_boundary` and
-/// `leonhard_constraints` (from, to, marker an edge), `leonhard_marker_numbers`, and `leonhard_marker_names`
-/// (UTF-8, each name ended by a zero byte), and the like of regions.
+/// `marker`. The edges of the boundary, then the marked ones within, are cells behind the triangles. Cell data: `marker`, 0 of
+/// triangles (`leonhard_marker` where a field is called so), one array a field and `region`, in which edges have the value of a
+/// triangle beside them. Field data:
+/// `leonhard_facets` (how many edges of both sorts), `leonhard_marker_numbers`, and `leonhard_marker_names` (UTF-8, each name
+/// ended by a zero byte), and the like of regions.
 ///
 /// fields  one value each a vertex or cell and component; any doubles, NaN too
 /// throws InputError if a field's size does not fit the mesh or its name is empty, repeated among those of its kind, or
-/// `marker` (of vertices) or `region` (of cells); OutputError if the file cannot be written
+/// `marker` (of vertices), `region` or `leonhard_marker` (of cells); OutputError if the file cannot be written
 void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
                const std::vector<PointField>& point_fields = {},
                const std::vector<CellField>& cell_fields = {});
@@ -57,8 +59,8 @@ void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
 /// The same as read_vtu from bytes in memory; source names them in errors.
 [[nodiscard]] MeshFile parse_vtu(std::string_view bytes, const std::string& source);
 
-/// The same for tetrahedral meshes: cells of type 10; field data `leonhard_boundary` and `leonhard_interfaces` (three
-/// vertices and the marker of a face). throws as write_vtu of triangles
+/// The same for tetrahedral meshes: cells of type 10, behind them the marked faces as triangles. throws as write_vtu of
+/// triangles
 void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
                const std::vector<PointField>& point_fields = {},
                const std::vector<CellField>& cell_fields = {});
@@ -72,9 +74,8 @@ void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
 [[nodiscard]] TetMeshFile parse_tet_vtu(std::string_view bytes, const std::string& source);
 
 /// The same for meshes of mixed cells: types 5 (triangle) and 9 (quadrilateral) in the plane, 10 (tetrahedron), 12
-/// (hexahedron), 13 (wedge, a prism) and 14 (pyramid) in space. Field data as for triangles and tetrahedra; where faces of
-/// four vertices are among those of `leonhard_boundary` or `leonhard_interfaces`, rows have five numbers, and the fourth
-/// vertex of a triangle is -1. A prism's base is directed outwards, as VTK's text has it. throws as write_vtu of triangles
+/// (hexahedron), 13 (wedge, a prism) and 14 (pyramid) in space, behind them the marked edges, or faces as triangles and
+/// quadrilaterals. A prism's base is directed outwards, as VTK's text has it. throws as write_vtu of triangles
 void write_vtu(const std::filesystem::path& path, const MixedMesh<2>& mesh,
                const std::vector<PointField>& point_fields = {},
                const std::vector<CellField>& cell_fields = {});
@@ -94,10 +95,13 @@ void write_vtu(const std::filesystem::path& path, const MixedMesh<3>& mesh,
 /// points        of the mesh
 /// point_fields  one value a point of the mesh
 /// cell_fields   one value a facet
+/// markers       of the facets, or empty
 /// throws        InputError for a facet of a vertex that is not there, and as write_vtu; OutputError
 void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, Point3>& points,
-                       const std::vector<MixedFacet<3>>& facets, const std::vector<PointField>& point_fields = {},
-                       const std::vector<CellField>& cell_fields = {});
+                       const std::vector<MixedFacet<3>>& facets,
+                       const std::vector<PointField>& point_fields = {},
+                       const std::vector<CellField>& cell_fields = {},
+                       const std::vector<Marker>& markers = {});
 
 /// Read a .vtu of mixed cells, quadrilaterals left whole; in space triangles and quadrilaterals are marked faces. Prisms are
 /// taken with the base either way.

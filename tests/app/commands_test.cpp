@@ -72,6 +72,21 @@ TEST_CASE("regress_a_graph_is_meshed_without_any_size") {
   CHECK(json::parse(meshed.out)["area"] == 12.0);
 }
 
+TEST_CASE("mesh_tells_programs_its_warnings_and_which_points_were_merged") {
+  const ScratchFolder scratch;
+  scratch.write("twice.poly",
+                "5 2 0 0\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 2 0\n4 1\n0 0 1 1\n1 4 2 1\n2 2 3 1\n3 3 0 1\n0\n");
+  const auto meshed = run("mesh twice.poly -o twice.su2 --json", scratch.path());
+  CAPTURE(meshed.err);
+  REQUIRE(meshed.exit_code == 0);
+  const json report = json::parse(meshed.out);
+  CHECK(report["input"] == "twice.poly");
+  CHECK(report["output"] == "twice.su2");
+  CHECK(report["merged_points"] == json::parse("[[4, 1]]"));
+  REQUIRE(report["warnings"].size() == 1);
+  CHECK(report["warnings"][0].get<std::string>().find("point 4 with point 1") != std::string::npos);
+}
+
 TEST_CASE("a_spent_vertex_budget_is_code_3_and_the_mesh_is_still_sound") {
   const ScratchFolder scratch;
   scratch.write("frame.poly", frame);

@@ -55,6 +55,7 @@ TEST_CASE("triangulate_gives_a_sound_delaunay_mesh_and_reports_duplicates") {
     CHECK(report["seconds"].contains(stage));
   CHECK(report["warnings"].size() == 1);
   CHECK(holds(ran.err, "2 points merged"));
+  CHECK(report["merged_points"] == json::parse("[[2, 0], [26, 1]]"));
   CHECK(report_of(run("check grid.vtu --json", scratch.path()))["fingerprint"] == report["fingerprint"]);
 }
 

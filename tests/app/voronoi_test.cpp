@@ -56,6 +56,25 @@ TEST_CASE("voronoi_draws_pictures_and_writes_grids_of_polygons") {
   CHECK(holds(text_of(scratch.path() / "d.vtu"), "NumberOfCells=\"9\""));
 }
 
+TEST_CASE("voronoi_cells_are_cut_to_a_polygon_that_is_not_convex") {
+  const ScratchFolder scratch;
+  scratch.write("grid.xy", grid);
+  scratch.write("ell.wkt", "POLYGON ((0 0, 2 0, 2 1, 1 1, 1 2, 0 2, 0 0))");
+  for (const char* output : {"e.png", "e.vtu", "e.json", "e.geojson"}) {
+    const Ran ran = run(std::string("voronoi grid.xy --clip ell.wkt --json -o ") + output, scratch.path());
+    CAPTURE(ran.err);
+    REQUIRE(ran.exit_code == 0);
+    const json report = json::parse(ran.out);
+    CHECK(report["area_sum"] == 3.0);
+    CHECK(report["box_area"] == 3.0);
+    CHECK(report["pieces"] == 8);
+  }
+  scratch.write("frame.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 0), (2 1, 3 1, 3 2, 2 1))");
+  const Ran refused = run("voronoi grid.xy --clip frame.wkt", scratch.path());
+  CHECK(refused.exit_code == 2);
+  CHECK(holds(refused.err, "not one closed outline"));
+}
+
 TEST_CASE("one_point_and_collinear_points_have_a_voronoi_diagram") {
   const ScratchFolder scratch;
   scratch.write("one.xy", "3 4\n");

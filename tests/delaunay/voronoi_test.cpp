@@ -10,6 +10,7 @@
 #include <set>
 
 #include "leonhard/delaunay/voronoi_clip.hpp"
+#include "leonhard/delaunay/voronoi_pieces.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/mesh/dirichlet_dual.hpp"
@@ -208,6 +209,69 @@ TEST_CASE("clipped_cells_share_their_corners_to_the_last_bit") {
     const double of_window = (window[1].x - window[0].x) * (window[3].y - window[0].y);
     CHECK(area == doctest::Approx(of_window).epsilon(1e-12).scale(0));
   }
+}
+
+TEST_CASE("cells_cut_to_a_polygon_that_is_not_convex_cover_it_and_share_their_corners") {
+  std::vector<Point2> star, comb{{0.05, 0.05}, {0.95, 0.05}};
+  for (int i = 0; i < 16; ++i) {
+    const double angle = 0.1 + 0.125 * 3.14159 * i, radius = i % 2 == 0 ? 0.48 : 0.1;
+    star.push_back({0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle)});
+  }
+  for (int i = 8; i >= 0; --i) comb.push_back({0.05 + 0.1125 * i, i % 2 == 0 ? 0.95 : 0.08});
+  const std::vector<Point2> ell{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}};
+  std::vector<Point2> clockwise(ell.rbegin(), ell.rend());
+  for (const std::vector<Point2>& polygon : {star, comb, ell, clockwise}) {
+    for (const std::vector<Point2>& points :
+         {shapes::uniform(300, 3), shapes::grid(9), std::vector<Point2>{{0.4, 0.4}}}) {
+      std::vector<Point2> sites = points;
+      if (points.size() == 81)
+        for (Point2& p : sites) p = {p.x / 8, p.y / 8};
+      const VoronoiDiagram d = diagram_of(sites);
+      const VoronoiPieces pieces = clip_to_polygon(d, polygon);
+      double sum = 0, of_polygon = 0;
+      for (const double area : pieces.area) sum += area;
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        of_polygon += (a.x * b.y - a.y * b.x) / 2;
+      }
+      CHECK(sum == doctest::Approx(std::abs(of_polygon)).epsilon(1e-13).scale(0));
+      // A side has a cell on its other side, or lies on the polygon's boundary.
+      std::set<std::pair<Point2, Point2>> sides;
+      for (std::size_t i = 0; i < pieces.size(); ++i)
+        for (std::size_t k = 0; k < pieces.piece(i).size(); ++k)
+          CHECK(sides.insert({pieces.piece(i)[k], pieces.piece(i)[(k + 1) % pieces.piece(i).size()]}).second);
+      for (const auto& [from, to] : sides) {
+        if (sides.contains({to, from})) continue;
+        double least = 1;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+          const Point2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+          least = std::min(least, std::max(distance_to_segment(a, b, from), distance_to_segment(a, b, to)));
+        }
+        CHECK(least < 1e-15);
+      }
+      // Points of the polygon lie in a piece of the nearest site.
+      std::vector<std::vector<std::size_t>> of_site(d.sites.size());
+      for (std::size_t i = 0; i < pieces.size(); ++i) of_site[pieces.site[i].index()].push_back(i);
+      for (const Point2 p : shapes::uniform(200, 11)) {
+        const double beyond = outside_by(polygon, p);
+        double least = 1;
+        for (const std::size_t i : of_site[nearest(d, p)])
+          least = std::min(least, outside_by(pieces.piece(i), p));
+        CHECK((beyond == 0 ? least < 1e-14 : least > 0));
+      }
+    }
+  }
+}
+
+TEST_CASE("polygons_that_cut_nothing_out_are_refused") {
+  const VoronoiDiagram d = diagram_of(shapes::uniform(20, 3));
+  for (const std::vector<Point2>& polygon : {std::vector<Point2>{{0, 0}, {1, 0}},
+                                             {{0, 0}, {1, 1}, {1, 0}, {0, 1}},
+                                             {{0, 0}, {1, 0}, {2, 0}},
+                                             {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {0, 1}},
+                                             {{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}},
+                                             {{0, 0}, {1, 0}, {NAN, 1}}})
+    CHECK_THROWS_AS((void)clip_to_polygon(d, polygon), InputError);
 }
 
 TEST_CASE("cells_of_a_grid_are_exact_squares_with_four_edges_at_each_vertex") {

@@ -149,7 +149,7 @@ void draw_partition(const std::filesystem::path& path, const TriangleMesh& mesh,
   } else {
     fill_shares(canvas, part_scene, palette, colour_of);
   }
-  if (options.show_mesh) stroke_edges(canvas, scene, {0.45, 0.45, 0.5}, 0.5);
+  if (options.show_mesh) stroke_edges(canvas, scene, {0.45, 0.45, 0.5}, 0.5, options.cell_of);
   stroke_borders(canvas, part_scene, 1.5);
   stroke_boundary(canvas, scene, 1.6, [](Marker) { return ink; });
   draw_axes(canvas, frame, text);

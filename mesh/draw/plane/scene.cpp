@@ -204,7 +204,8 @@ void fill_triangles(Canvas& canvas, const MeshScene& scene, std::span<const Colo
   canvas.end_clip();
 }
 
-void stroke_edges(Canvas& canvas, const MeshScene& scene, Colour colour, double width) {
+void stroke_edges(Canvas& canvas, const MeshScene& scene, Colour colour, double width,
+                  std::span<const std::size_t> cell_of) {
   // Bins by length on the page, in thin lines; the shorter the edges, the thinner.
   struct Bin {
     double below, width;
@@ -213,11 +214,20 @@ void stroke_edges(Canvas& canvas, const MeshScene& scene, Colour colour, double 
       {{1.5, 0.12}, {3, 0.2}, {6, 0.32}, {12, 0.5}, {24, 0.75}, {1e300, 1}}};
   constexpr std::size_t batch = 400;  // cairo's time grows faster than the path
   const TriangleMesh& mesh = scene.mesh();
+  if (!cell_of.empty() && cell_of.size() != mesh.triangle_count())
+    throw InputError("cell_of",
+                     "it has " + std::to_string(cell_of.size()) + " entries for " +
+                         std::to_string(mesh.triangle_count()) + " triangles",
+                     "give one cell a triangle, or none");
+  const auto is_within_cell = [&](TriangleId a, TriangleId b) {
+    return !cell_of.empty() && cell_of[a.index()] == cell_of[b.index()];
+  };
   std::array<std::vector<std::array<Point2, 2>>, bins.size()> lines;
   for (const TriangleId t : scene.visible()) {
     for (std::size_t i = 0; i < 3; ++i) {
       const MaybeId<TriangleId> across = mesh.neighbours[t][i];
       if (across && scene.is_visible(*across) && *across < t) continue;  // drawn from there
+      if (across && is_within_cell(t, *across)) continue;
       const Point2 a = scene.page(mesh.corners[t][(i + 1) % 3]), b = scene.page(mesh.corners[t][(i + 2) % 3]);
       const double length = distance(a, b) / canvas.thin();
       const auto bin =

@@ -68,7 +68,11 @@ void fill_triangles(Canvas& canvas, const MeshScene& scene, std::span<const Colo
                     const std::function<std::size_t(TriangleId)>& index_of);
 
 /// The edges of the visible triangles, fainter where they are dense, so that a fine mesh keeps its shades.
-void stroke_edges(Canvas& canvas, const MeshScene& scene, Colour colour, double width);
+///
+/// cell_of  the cell of which each triangle is a part, or empty: edges within a cell are left out
+/// throws   InputError if it does not fit the triangles
+void stroke_edges(Canvas& canvas, const MeshScene& scene, Colour colour, double width,
+                  std::span<const std::size_t> cell_of = {});
 
 /// The boundary, one colour an entry of `colour_of` (by marker).
 void stroke_boundary(Canvas& canvas, const MeshScene& scene, double width,

@@ -17,6 +17,7 @@
 #include "leonhard/mesh/io/formats/gmsh_data.hpp"
 #include "leonhard/mesh/io/formats/gmsh_soup.hpp"
 #include "leonhard/mesh/io/formats/gmsh_write.hpp"
+#include "leonhard/mesh/io/formats/surface_write.hpp"
 #include "leonhard/mesh/io/formats/whole_regions.hpp"
 #include "leonhard/mesh/io/text_scanner.hpp"
 #include "leonhard/mesh/words.hpp"
@@ -326,6 +327,22 @@ MeshSoup<Dim> gmsh_soup(GmshData&& data, const std::string& source) {
   }
   soup.warnings = std::move(data.warnings);
   return soup;
+}
+
+std::string format_gmsh_surface(const SurfaceFile& surface) {
+  GmshData data;
+  data.points = surface.set.points;
+  for (std::size_t i = 0; i < surface.polygon_count(); ++i) {
+    const auto polygon = surface.polygon(i);
+    if (polygon.size() != 3 && polygon.size() != 4)
+      throw InputError("polygon " + std::to_string(i), "it has " + std::to_string(polygon.size()) + " corners",
+                       "a .msh of ours has triangles and quadrilaterals; write .off, .obj, .ply or .stl");
+    auto& list = polygon.size() == 3 ? data.triangles : data.quadrilaterals;
+    list.push_back(cell_of(polygon, surface.markers.empty() ? 0 : checked_group(surface.markers[i])));
+    list.back().tag = i + 1;
+  }
+  group_the_ungrouped(data, 3);
+  return format_gmsh_data(data, {GmshVersion::v4_1, false});
 }
 
 int dimension_of(const GmshData& data) {

@@ -8,84 +8,21 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <tuple>
 
 #include "leonhard/kernel/input_error.hpp"
+#include "leonhard/mesh/io/formats/gmsh_elements.hpp"
+#include "leonhard/mesh/io/formats/gmsh_groups.hpp"
 #include "leonhard/mesh/io/formats/gmsh_numbers.hpp"
 
 namespace leonhard::io {
 
 namespace {
 
-/// Lists of elements by shape.
-enum GmshList : std::size_t {
-  lines,
-  triangles,
-  quadrilaterals,
-  tetrahedra,
-  hexahedra,
-  prisms,
-  pyramids,
-  list_count
-};
-
-/// What Gmsh calls an element type: how many nodes, corners first, and which list it goes to (points: none).
-struct ElementType {
-  std::int32_t number;
-  std::size_t nodes, list = list_count;
-};
-
-constexpr std::array<std::size_t, list_count> corners_in_list{2, 3, 4, 4, 8, 6, 5};
-constexpr std::array<int, list_count> dimension_of_list{1, 2, 2, 3, 3, 3, 3};
-
-constexpr std::array element_types{ElementType{1, 2, lines},
-                                   ElementType{2, 3, triangles},
-                                   ElementType{3, 4, quadrilaterals},
-                                   ElementType{4, 4, tetrahedra},
-                                   ElementType{5, 8, hexahedra},
-                                   ElementType{6, 6, prisms},
-                                   ElementType{7, 5, pyramids},
-                                   ElementType{8, 3, lines},
-                                   ElementType{9, 6, triangles},
-                                   ElementType{10, 9, quadrilaterals},
-                                   ElementType{11, 10, tetrahedra},
-                                   ElementType{12, 27, hexahedra},
-                                   ElementType{13, 18, prisms},
-                                   ElementType{14, 14, pyramids},
-                                   ElementType{15, 1},
-                                   ElementType{16, 8, quadrilaterals},
-                                   ElementType{17, 20, hexahedra},
-                                   ElementType{18, 15, prisms},
-                                   ElementType{19, 13, pyramids},
-                                   ElementType{20, 9, triangles},
-                                   ElementType{21, 10, triangles},
-                                   ElementType{22, 12, triangles},
-                                   ElementType{23, 15, triangles},
-                                   ElementType{24, 15, triangles},
-                                   ElementType{25, 21, triangles},
-                                   ElementType{26, 4, lines},
-                                   ElementType{27, 5, lines},
-                                   ElementType{28, 6, lines},
-                                   ElementType{29, 20, tetrahedra},
-                                   ElementType{30, 35, tetrahedra},
-                                   ElementType{31, 56, tetrahedra},
-                                   ElementType{36, 16, quadrilaterals},
-                                   ElementType{37, 25, quadrilaterals},
-                                   ElementType{38, 36, quadrilaterals},
-                                   ElementType{90, 40, prisms},
-                                   ElementType{91, 75, prisms},
-                                   ElementType{92, 64, hexahedra},
-                                   ElementType{93, 125, hexahedra}};
+using namespace gmsh_elements;
 
 enum class GmshVersionRead { v1, v2, v4_0, v4_1 };
 
 constexpr std::uint64_t most_nodes = std::numeric_limits<IdRaw>::max() / 2;
-
-/// A cell with the number of the geometry's entity that it lies on, which may have to stand for its group.
-struct CellOnEntity {
-  GmshCell cell;
-  Marker entity = 0;
-};
 
 /// Which id a node's tag has. Tags are any positive numbers, mostly 1, 2, 3, ...
 class NodeTags {
@@ -131,7 +68,10 @@ class GmshParser {
     for (const char* section : {"Nodes", "Elements"})
       if (!sections_.contains(section))
         numbers_.fail(std::string("the file ends without a section $") + section, "it was cut short");
-    finish();
+    if (of_higher_order_ > 0)
+      data_.warnings.push_back(std::to_string(of_higher_order_) +
+                               " elements are of higher order; they were read by their corners");
+    std::move(groups_).finish(data_, !has_blocks());
     return std::move(data_);
   }
 
@@ -305,7 +245,7 @@ class GmshParser {
       all.push_back(magnitude(numbers_.integer("the number of a physical group")));
     if (!all.empty()) entity.group = all.front();
     for (std::size_t i = 1; dimension > 0 && !entity.is_seam && i < all.size(); ++i)
-      several_groups_.insert({dimension, all.front(), all[i]});
+      groups_.note_several(dimension, all.front(), all[i]);
     entities_[{dimension, tag}] = entity;
     if (dimension == 0) return;
     const std::uint64_t bounding = numbers_.size("the number of entities that bound another");
@@ -430,7 +370,7 @@ class GmshParser {
     }
     if (!is_taken) return;
     if (type.nodes > corners) ++of_higher_order_;
-    cells_[type.list].push_back(result);
+    groups_.add(type.list, result);
   }
 
   std::uint64_t old_node() {
@@ -533,126 +473,14 @@ class GmshParser {
     return entity;
   }
 
-  // ---- the end ----
-
-  void finish() {
-    for (std::size_t list = 0; !has_blocks() && list < list_count; ++list) drop_repeated(list);
-    if (of_higher_order_ > 0)
-      data_.warnings.push_back(std::to_string(of_higher_order_) +
-                               " elements are of higher order; they were read by their corners");
-    tell_several_groups();
-    for (int dimension = 1; dimension <= 3; ++dimension) number_ungrouped(dimension);
-    const std::array<std::vector<GmshCell>*, list_count> lists{
-        &data_.lines,     &data_.triangles, &data_.quadrilaterals, &data_.tetrahedra,
-        &data_.hexahedra, &data_.prisms,    &data_.pyramids};
-    for (std::size_t i = 0; i < list_count; ++i) {
-      lists[i]->reserve(cells_[i].size());
-      for (const CellOnEntity& c : cells_[i]) lists[i]->push_back(c.cell);
-      cells_[i] = {};
-    }
-  }
-
-  /// An element in several groups is listed several times, with the same nodes.
-  void drop_repeated(std::size_t list) {
-    auto& cells = cells_[list];
-    const auto key_of = [&](std::size_t i) {
-      auto key = cells[i].cell.corners;
-      std::sort(key.begin(), key.begin() + static_cast<std::ptrdiff_t>(corners_in_list[list]));
-      return key;
-    };
-    std::vector<std::pair<std::array<VertexId, most_cell_corners>, std::size_t>> sorted;
-    sorted.reserve(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) sorted.emplace_back(key_of(i), i);
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<bool> dropped(cells.size(), false);
-    for (std::size_t i = 1, first = 0; i < sorted.size(); ++i) {
-      if (sorted[i].first != sorted[first].first) {
-        first = i;
-        continue;
-      }
-      const Marker group = cells[sorted[first].second].cell.group, other = cells[sorted[i].second].cell.group;
-      if (group == other) continue;  // a repetition that groups do not explain is left to the mesh's checks
-      dropped[sorted[i].second] = true;
-      several_groups_.insert({dimension_of_list[list], group, other});
-    }
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      if (!dropped[i]) cells[next++] = cells[i];
-    cells.resize(next);
-  }
-
-  /// "11 "wall"", or the number alone.
-  [[nodiscard]] std::string group_words(int dimension, Marker group) const {
-    const auto name = data_.names.find({dimension, group});
-    return std::to_string(group) + (name == data_.names.end() ? "" : " " + in_quotes(name->second));
-  }
-
-  void tell_several_groups() {
-    std::string list;
-    for (const auto& [dimension, first, other] : several_groups_)
-      list += (list.empty() ? "" : "; ") + group_words(dimension, first) + ", also in " +
-              group_words(dimension, other);
-    if (!list.empty())
-      data_.warnings.push_back("elements are in several physical groups, of which the first was taken: " +
-                               list);
-  }
-
-  /// Of one dimension: groups that say that there is none become 0, elements in no group get their entity's number.
-  void number_ungrouped(int dimension) {
-    std::set<Marker> groups;
-    for (const auto& [group, name] : data_.names)
-      if (group.first == dimension) groups.insert(group.second);
-    std::size_t ungrouped = 0;
-    const auto for_each_cell = [&](auto visit) {
-      for (std::size_t list = 0; list < list_count; ++list)
-        if (dimension_of_list[list] == dimension)
-          for (CellOnEntity& c : cells_[list]) visit(c);
-    };
-    for_each_cell([&](const CellOnEntity& c) {
-      groups.insert(c.cell.group);
-      if (c.cell.group == 0 && c.entity != 0) ++ungrouped;
-    });
-    if (ungrouped > 0) {
-      std::map<Marker, Marker> number_of;
-      for_each_cell([&](CellOnEntity& c) {
-        if (c.cell.group != 0 || c.entity == 0) return;
-        const auto [at, is_new] = number_of.emplace(c.entity, c.entity);
-        if (is_new) {
-          while (groups.contains(at->second)) ++at->second;
-          groups.insert(at->second);
-        }
-        c.cell.group = at->second;
-      });
-      const bool changed =
-          std::any_of(number_of.begin(), number_of.end(), [](const auto& n) { return n.first != n.second; });
-      data_.warnings.push_back(
-          std::to_string(ungrouped) + " elements of dimension " + std::to_string(dimension) +
-          " are in no physical group; the numbers of the geometry's entities stand for it" +
-          (changed ? ", the next free ones where a group has that number" : ""));
-    }
-    for (auto name = data_.names.begin(); name != data_.names.end();) {
-      const bool is_none = name->first.first == dimension && (name->second == gmsh_name_of_none(false) ||
-                                                              name->second == gmsh_name_of_none(true));
-      if (!is_none) {
-        ++name;
-        continue;
-      }
-      for_each_cell([&](CellOnEntity& c) {
-        if (c.cell.group == name->first.second) c.cell.group = 0;
-      });
-      name = data_.names.erase(name);
-    }
-  }
-
   GmshNumbers& numbers_;
   GmshVersionRead version_;
   const std::string& source_;
   GmshData data_;
   std::set<std::string> sections_;
   std::map<std::pair<int, std::int32_t>, GmshEntity> entities_;
-  std::set<std::tuple<int, Marker, Marker>> several_groups_;  ///< dimension, the first one, another
   NodeTags tags_;
-  std::array<std::vector<CellOnEntity>, list_count> cells_;
+  GmshGroups groups_;
   std::size_t of_higher_order_ = 0;
 };
 

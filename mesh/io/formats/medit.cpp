@@ -130,7 +130,7 @@ std::string medit_text(const Mesh& mesh) {
 
 template <int Dim>
 MeshSoup<Dim> medit_soup(MeditData&& data, const std::string& source) {
-  if (data.dimension != Dim)
+  if (Dim == 2 ? dimension_of(data) != 2 : data.dimension != 3)
     throw InputError(source,
                      "Dimension " + std::to_string(data.dimension) + ": only meshes of " +
                          (Dim == 2 ? "the plane" : "space") + " can be read here",

@@ -95,7 +95,7 @@ class MeditParser {
     if (of_higher_order_ > 0)
       data_.warnings.push_back(std::to_string(of_higher_order_) +
                                " cells are of higher order; they were read by their corners");
-    if (data_.dimension == 3 && !data_.edges.empty())
+    if (dimension_of(data_) == 3 && !data_.edges.empty())
       data_.warnings.push_back("the section Edges (" + std::to_string(data_.edges.size()) +
                                " entries) was passed over");
     return std::move(data_);
@@ -214,6 +214,16 @@ class MeditParser {
 };
 
 }  // namespace
+
+int dimension_of(const MeditData& data) {
+  if (data.dimension == 2) return 2;
+  for (const auto* cells : {&data.tetrahedra, &data.hexahedra, &data.prisms, &data.pyramids})
+    if (!cells->empty()) return 3;
+  const bool has_any = !data.edges.empty() || !data.triangles.empty() || !data.quadrilaterals.empty();
+  const bool is_flat = std::all_of(data.points.begin(), data.points.end(),
+                                   [&](const Point3& p) { return p.z == data.points[0].z; });
+  return has_any && is_flat ? 2 : 3;
+}
 
 MeditData parse_medit_data(std::string_view text, const std::string& source) {
   return MeditParser(text, source).parse();

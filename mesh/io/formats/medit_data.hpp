@@ -34,8 +34,11 @@ struct MeditData {
 };
 
 /// Sections in any order; entries may span lines; # starts a comment. Cells of higher order (TrianglesP2, TetrahedraP2 and the
-/// like) are taken by their corners, which a warning tells. In space edges are passed over.
+/// like) are taken by their corners, which a warning tells. Edges of a mesh of space are passed over.
 /// throws InputError with the line: a keyword that is none, numbers below 1, a file cut short
 [[nodiscard]] MeditData parse_medit_data(std::string_view text, const std::string& source);
+
+/// 2 if the file says so, or has edges and cells of the plane alone, in a plane z = const (Gmsh's files say 3 always); else 3.
+[[nodiscard]] int dimension_of(const MeditData& data);
 
 }  // namespace leonhard::io

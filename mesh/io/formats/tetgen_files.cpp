@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "leonhard/mesh/io/formats/tetgen_files.hpp"
 
+#include <cstdint>
+#include <limits>
+#include <vector>
+
 #include "leonhard/mesh/io/formats/marker_notes.hpp"
 #include "leonhard/mesh/io/formats/stem_files.hpp"
 #include "leonhard/mesh/io/formats/stem_soups.hpp"
@@ -10,7 +14,20 @@ namespace leonhard::io {
 
 namespace {
 
-/// The faces of STEM.face. After the marker TetGen may write the tetrahedra on both sides.
+/// What follows the corners of a face: of second order three nodes more, the marker if there is one, and maybe the two
+/// tetrahedra beside it. How many numbers there are tells which.
+Marker marker_behind_corners(TextScanner& scan, bool with_markers) {
+  std::vector<std::int64_t> numbers;
+  while (!scan.line_done()) numbers.push_back(scan.integer("a number of a face"));
+  if (!with_markers) return 0;
+  const std::size_t at = numbers.size() == 4 || numbers.size() == 6 ? 3 : 0;
+  if (numbers.size() <= at) scan.fail("the line ends where the boundary marker of a face was expected");
+  if (numbers[at] < std::numeric_limits<Marker>::min() || numbers[at] > std::numeric_limits<Marker>::max())
+    scan.fail("the marker " + std::to_string(numbers[at]) + " does not fit 32 bits");
+  return static_cast<Marker>(numbers[at]);
+}
+
+/// The faces of STEM.face.
 void read_faces(TextScanner& scan, const VertexTable<Point3>& vertices, MeshSoup<3>& soup) {
   scan.need_line("the number of faces");
   const std::size_t count = scan.count("the number of faces", shortest_entry + 2);
@@ -21,9 +38,8 @@ void read_faces(TextScanner& scan, const VertexTable<Point3>& vertices, MeshSoup
     scan.need_line("a face");
     check_number(scan, "face", vertices.first_number + static_cast<std::int64_t>(i));
     const auto corners = read_corners<3>(scan, vertices, "a corner of a face");
-    const Marker marker = with_markers ? scan.integer32("the boundary marker of a face") : 0;
-    while (!scan.line_done()) scan.integer("a tetrahedron beside the face");
-    soup.add_facet(corners, marker, 0);  // no line: errors of assemble name the .ele file
+    soup.add_facet(corners, marker_behind_corners(scan, with_markers),
+                   0);  // no line: errors of assemble name the .ele file
   }
   expect_end(scan, "the last face");
 }

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -22,7 +23,6 @@ namespace leonhard::io {
 
 namespace {
 
-constexpr std::string_view zlib_name = "vtkZLibDataCompressor";
 constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max();  ///< where the file alone says
 constexpr std::string_view cut_short = "the file was cut short, or its sizes are wrong";
 
@@ -111,16 +111,15 @@ class ByteStream {
   std::string decoded_;
 };
 
-#ifdef LEONHARD_HAS_ZLIB
 /// Blocks of one size, the last one possibly smaller, each compressed for itself.
 std::string take_compressed(ByteStream& stream, const XmlElement& array, const VtkEncoding& encoding,
                             std::uint64_t expected_bytes) {
-  constexpr std::uint64_t best_ratio = 1040;  // of deflate, a little more than what is possible
   const std::uint64_t blocks = stream.take_size(), block_size = stream.take_size(),
                       partial = stream.take_size();
   if (blocks > 0 && (block_size > std::numeric_limits<std::uint64_t>::max() / blocks || partial > block_size))
     fail(array, encoding, "has block sizes that contradict each other");
-  const std::uint64_t total = blocks == 0 ? 0 : (blocks - 1) * block_size + (partial == 0 ? block_size : partial);
+  const std::uint64_t total =
+      blocks == 0 ? 0 : (blocks - 1) * block_size + (partial == 0 ? block_size : partial);
   if (expected_bytes != any_size && total != expected_bytes)
     fail(
         array, encoding,
@@ -131,23 +130,19 @@ std::string take_compressed(ByteStream& stream, const XmlElement& array, const V
     sizes.push_back(stream.take_size());
     compressed += std::min<std::uint64_t>(sizes.back(), std::numeric_limits<std::uint32_t>::max());
   }
-  if (total / best_ratio > compressed)
+  if (total / best_ratio(encoding.compressor) > compressed)
     fail(array, encoding, "cannot be as large as it says it is", cut_short);
   std::string bytes(total, '\0');
   std::uint64_t done = 0;
   for (std::uint64_t b = 0; b < blocks; ++b) {
     const std::string block = stream.take(sizes[b]);
     const std::uint64_t size = b + 1 == blocks && partial != 0 ? partial : block_size;
-    uLongf unpacked = size;
-    const int status = ::uncompress(reinterpret_cast<Bytef*>(bytes.data() + done), &unpacked,
-                                    reinterpret_cast<const Bytef*>(block.data()), block.size());
-    if (status != Z_OK || unpacked != size)
+    if (!unpack(encoding.compressor, block, std::span(bytes).subspan(done, size)))
       fail(array, encoding, "holds a compressed block that cannot be unpacked");
     done += size;
   }
   return bytes;
 }
-#endif
 
 std::string take_plain(ByteStream& stream, const XmlElement& array, const VtkEncoding& encoding,
                        std::uint64_t expected_bytes) {
@@ -179,9 +174,8 @@ std::string array_bytes(const XmlElement& array, const VtkEncoding& encoding, st
   const std::string_view text =
       appended ? encoding.appended.substr(appended_offset(array, encoding)) : std::string_view(array.text);
   ByteStream stream(array, encoding, text, !appended || encoding.appended_is_base64);
-#ifdef LEONHARD_HAS_ZLIB
-  if (encoding.zlib) return take_compressed(stream, array, encoding, expected_bytes);
-#endif
+  if (encoding.compressor != VtkCompressor::none)
+    return take_compressed(stream, array, encoding, expected_bytes);
   return take_plain(stream, array, encoding, expected_bytes);
 }
 
@@ -285,15 +279,16 @@ VtkEncoding vtk_encoding(const XmlElement& root, const std::string& source) {
     throw InputError(where, "unknown header_type " + in_quotes(header_type), "known are UInt32 and UInt64");
   encoding.header_bytes = header_type == "UInt64" ? 8 : 4;
   const std::string compressor = root.attribute("compressor");
-  encoding.zlib = compressor == zlib_name;
-  if (!compressor.empty() && !encoding.zlib)
+  const auto known = vtk_compressor_named(compressor);
+  if (!known)
     throw InputError(where, "the file is compressed with " + in_quotes(compressor),
                      "write it with zlib or uncompressed");
-#ifndef LEONHARD_HAS_ZLIB
-  if (encoding.zlib)
-    throw InputError(where, "the file is compressed, and this Leonhard was built without zlib",
-                     "write it uncompressed, or build with LEONHARD_COMPRESSION=ON");
-#endif
+  encoding.compressor = *known;
+  if (*known != VtkCompressor::none && !can_unpack(*known))
+    throw InputError(where,
+                     std::string("the file is compressed with ") + name_of(*known) +
+                         ", and this Leonhard was built without it",
+                     "write it uncompressed, or build with LEONHARD_COMPRESSION=ON and the library");
   if (const XmlElement* appended = root.child("AppendedData")) {
     encoding.appended_is_base64 = appended->attribute("encoding", "raw") == "base64";
     const std::size_t underscore = appended->text.find('_');
@@ -321,7 +316,7 @@ std::vector<std::int64_t> read_integers(const XmlElement& array, const VtkEncodi
 
 #ifdef LEONHARD_HAS_ZLIB
 
-std::string_view vtk_compressor() { return zlib_name; }
+std::string_view vtk_compressor() { return "vtkZLibDataCompressor"; }
 
 void append_vtk_bytes(std::string& appended, std::string_view bytes) {
   constexpr std::size_t block_size = std::size_t{1} << 18;

@@ -8,22 +8,23 @@
 #include <string_view>
 #include <vector>
 
+#include "leonhard/mesh/io/formats/vtk_blocks.hpp"
 #include "leonhard/mesh/io/formats/xml.hpp"
 
 namespace leonhard::io {
 
 /// How the arrays of a VTK XML file are stored: the attributes of its root element and its appended data.
 struct VtkEncoding {
-  std::string source;               ///< names the file in errors
-  bool swapped = false;             ///< numbers have the other byte order than this machine's
-  std::size_t header_bytes = 4;     ///< of the sizes before binary data: 4 or 8
-  bool zlib = false;                ///< binary data is compressed
-  bool appended_is_base64 = false;  ///< else raw
-  std::string_view appended;        ///< after the underscore; empty if there is none
+  std::string source;                              ///< names the file in errors
+  bool swapped = false;                            ///< numbers have the other byte order than this machine's
+  std::size_t header_bytes = 4;                    ///< of the sizes before binary data: 4 or 8
+  VtkCompressor compressor = VtkCompressor::none;  ///< of binary data
+  bool appended_is_base64 = false;                 ///< else raw
+  std::string_view appended;                       ///< after the underscore; empty if there is none
 };
 
 /// What the root element <VTKFile> says about its arrays.
-/// throws InputError for another compressor than zlib, or zlib where Leonhard was built without it
+/// throws InputError for another compressor than zlib, LZ4 and LZMA, or one without which Leonhard was built
 [[nodiscard]] VtkEncoding vtk_encoding(const XmlElement& root, const std::string& source);
 
 /// The numbers of a <DataArray>, any of VTK's number types in ascii, base64 or appended form.

@@ -90,13 +90,11 @@ void append_piece(VtkGrid& grid, VtkGrid&& piece) {
   if (is_first) {
     grid.points_line = piece.points_line;
     grid.cells_line = piece.cells_line;
-    grid.boundary = std::move(piece.boundary);
-    grid.inner_facets = std::move(piece.inner_facets);
+    grid.own_facets = piece.own_facets;
     grid.marker_names = std::move(piece.marker_names);
     grid.region_names = std::move(piece.region_names);
   } else {
-    grid.boundary.reset();  // vertices have other numbers in every piece
-    grid.inner_facets.reset();
+    grid.own_facets.reset();  // whoever made pieces of a file may have doubled facets
   }
   grid.warnings.insert(grid.warnings.end(), piece.warnings.begin(), piece.warnings.end());
 }

@@ -26,18 +26,12 @@ struct VtkNumbers {
   std::size_t line = 0;  ///< of the file, for errors; 0: unknown
 };
 
-/// Rows of whole numbers that write_vtu adds to a file.
-struct VtkRows {
-  std::size_t width = 0;
-  std::vector<std::int64_t> numbers;
-};
-
 /// A grid: vertices exist, offsets are in order, arrays have their rows.
 struct VtkGrid {
   std::vector<Point3> points;
   std::vector<std::int64_t> types, connectivity, offsets;  ///< a cell ends at its offset
   std::vector<VtkNumbers> point_arrays, cell_arrays;
-  std::optional<VtkRows> boundary, inner_facets;             ///< ours: vertices and marker of facets
+  std::optional<std::int64_t> own_facets;                    ///< ours: how many cells are facets
   std::map<Marker, std::string> marker_names, region_names;  ///< ours
   std::vector<std::string> warnings;
   std::size_t points_line = 0, cells_line = 0;  ///< of the file, for errors; 0: unknown

@@ -47,7 +47,9 @@ class VtkSoupMaker {
     soup_.source = source;
     soup_.prisms_turn_either_way = true;
     groups_ = find_groups();
-    markers_ = find_whole(grid.cell_arrays, vtu_names::cell_marker);
+    markers_ = find_whole(grid.cell_arrays, vtu_names::other_cell_marker);
+    if (markers_ == nullptr) markers_ = find_whole(grid.cell_arrays, vtu_names::cell_marker);
+    has_own_markers_ = markers_ != nullptr;
     if (markers_ == nullptr) markers_ = groups_;
     for (const VtkNumbers& array : grid.cell_arrays)
       if (array.name == vtu_names::region && array.components == 1) regions_ = &array;
@@ -179,42 +181,11 @@ class VtkSoupMaker {
         count == 3 ? CellKind::triangle : CellKind::quadrilateral, 2);
   }
 
-  // ---- what write_vtu wrote of the boundary and the inner facets, in place of what the cells say ----
-
-  void add_rows(const VtkRows& rows) {
-    const std::size_t most = rows.width - 1;
-    for (std::size_t i = 0; i < rows.numbers.size(); i += rows.width) {
-      std::vector<VertexId> corners;
-      for (std::size_t k = 0; k < most; ++k) {
-        const std::int64_t v = rows.numbers[i + k];
-        if (k >= Dim && v == -1) continue;
-        if (v < 0 || v >= std::ssize(grid_.points))
-          fail("a facet of the boundary names vertex " + std::to_string(v) +
-                   ", but the file has only vertices 0 to " + std::to_string(std::ssize(grid_.points) - 1),
-               "the file was damaged");
-        corners.push_back(VertexId::from(static_cast<std::size_t>(v)));
-      }
-      const std::int64_t marker = rows.numbers[i + most];
-      if (marker < std::numeric_limits<Marker>::min() || marker > std::numeric_limits<Marker>::max())
-        fail("the marker " + std::to_string(marker) + " does not fit 32 bits", "the file was damaged");
-      soup_.mesh.boundary.push_back({MixedFacet<Dim>(corners), static_cast<Marker>(marker)});
-    }
-  }
-
-  static bool has_rows_of_facets(const std::optional<VtkRows>& rows) {
-    return rows && (rows->width == Dim + 1 || (Dim == 3 && rows->width == 5));
-  }
-
+  /// A file of write_vtu that still has the facets that it was written with keeps them as they are.
   void take_own_facets() {
     soup_.mesh.marker_names = std::move(grid_.marker_names);
-    if (has_rows_of_facets(grid_.boundary)) {
-      soup_.mesh.boundary.clear();
-      soup_.facets_as_they_are = true;
-      add_rows(*grid_.boundary);
-      if (has_rows_of_facets(grid_.inner_facets)) add_rows(*grid_.inner_facets);
-    } else if (has_unmarked_facets_) {
-      soup_.mesh.marker_names.try_emplace(1, "boundary");
-    }
+    soup_.facets_as_they_are = grid_.own_facets == std::ssize(soup_.mesh.boundary);
+    if (has_unmarked_facets_) soup_.mesh.marker_names.try_emplace(1, "boundary");
   }
 
   // ---- fields ----
@@ -235,7 +206,7 @@ class VtkSoupMaker {
   /// The rows of the soup's cells, not those of lines on the boundary. What has become markers or regions is no field.
   void take_cell_arrays() {
     for (const VtkNumbers& array : grid_.cell_arrays) {
-      if (&array == regions_ || (&array == markers_ && array.name == vtu_names::cell_marker)) continue;
+      if (&array == regions_ || (&array == markers_ && has_own_markers_)) continue;
       CellField field{array.name, array.components, {}};
       field.values.reserve(cell_rows_.size() * array.components);
       for (const std::size_t row : cell_rows_) {
@@ -251,7 +222,7 @@ class VtkSoupMaker {
   const VtkNumbers *groups_ = nullptr, *markers_ = nullptr, *regions_ = nullptr;
   std::vector<std::size_t> cell_rows_;  ///< in the file, of each of the soup's cells
   std::size_t of_higher_order_ = 0;
-  bool has_unmarked_facets_ = false;
+  bool has_unmarked_facets_ = false, has_own_markers_ = false;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -159,9 +160,10 @@ class VtuFieldData {
   VtuFieldData(const XmlElement& data, const VtkEncoding& encoding) : data_(data), encoding_(encoding) {}
 
   void read(VtkGrid& grid) const {
-    grid.boundary = rows(vtu_names::boundary);
-    grid.inner_facets = rows(vtu_names::constraints);
-    if (!grid.inner_facets) grid.inner_facets = rows(vtu_names::interfaces);
+    if (const XmlElement* facets = find(vtu_names::facets)) {
+      const auto counts = read_integers(*facets, encoding_, std::nullopt);
+      grid.own_facets = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+    }
     grid.marker_names = names(vtu_names::marker_numbers, vtu_names::marker_names);
     grid.region_names = names(vtu_names::region_numbers, vtu_names::region_names);
   }
@@ -177,20 +179,6 @@ class VtuFieldData {
           return child.name == "DataArray" && child.attribute("Name") == name;
         });
     return found == data_.children.end() ? nullptr : &*found;
-  }
-
-  std::optional<VtkRows> rows(std::string_view name) const {
-    const XmlElement* array = find(name);
-    if (array == nullptr) return std::nullopt;
-    const std::string text = array->attribute("NumberOfComponents", "1");
-    TextScanner scan(text, encoding_.source, {.lines_before = array->line - 1});
-    scan.need_line("the number of components");
-    const std::int64_t width = scan.integer("the number of components");
-    if (width < 3 || width > 5) fail(*array, "rows of facets have 3 to 5 numbers");
-    VtkRows result{static_cast<std::size_t>(width), read_integers(*array, encoding_, std::nullopt)};
-    if (result.numbers.size() % result.width != 0)
-      fail(*array, "the entries do not come in rows of " + std::to_string(width) + " numbers");
-    return result;
   }
 
   std::map<Marker, std::string> names(std::string_view numbers_name, std::string_view bytes_name) const {

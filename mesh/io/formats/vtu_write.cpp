@@ -8,6 +8,7 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/mesh/ids_in_range.hpp"
 #include "leonhard/mesh/io/atomic_file.hpp"
+#include "leonhard/mesh/io/formats/facet_cells.hpp"
 #include "leonhard/mesh/io/formats/field_checks.hpp"
 #include "leonhard/mesh/io/formats/vtk_array.hpp"
 #include "leonhard/mesh/io/formats/vtk_types.hpp"
@@ -62,26 +63,11 @@ std::vector<double> with_third_component(const std::vector<double>& pairs) {
   return triples;
 }
 
-std::array<VertexId, 2> vertices_of(const MarkedEdge& edge) { return {edge.from, edge.to}; }
-const std::array<VertexId, 3>& vertices_of(const MarkedFace& face) { return face.corners; }
+MixedFacet<2> vertices_of(const MarkedEdge& edge) { return {edge.from, edge.to}; }
+MixedFacet<3> vertices_of(const MarkedFace& face) { return MixedFacet<3>(face.corners); }
 template <int Dim>
 const MixedFacet<Dim>& vertices_of(const MarkedMixedFacet<Dim>& facet) {
   return facet.corners;
-}
-
-/// Rows of the vertices and the marker of each, as long as the longest facet asks, at least `corners` vertices: -1 where
-/// a shorter one has no vertex.
-template <class Facet>
-void write_facets(VtuText& text, const char* name, const std::vector<Facet>& facets, std::size_t corners) {
-  for (const Facet& facet : facets) corners = std::max(corners, vertices_of(facet).size());
-  std::vector<std::int64_t> rows;
-  rows.reserve((corners + 1) * facets.size());
-  for (const Facet& facet : facets) {
-    for (const VertexId v : vertices_of(facet)) rows.push_back(static_cast<std::int64_t>(v.index()));
-    rows.insert(rows.end(), corners - vertices_of(facet).size(), -1);
-    rows.push_back(facet.marker);
-  }
-  text.array(name, corners + 1, rows, true);
 }
 
 template <int Dim>
@@ -111,12 +97,27 @@ void write_names(VtuText& text, const std::map<Marker, std::string>& names, cons
   text.array(names_array, 1, bytes, true);
 }
 
-template <int Dim, class Mesh>
+/// The facets of a mesh that are written as cells: its boundary, then those within.
+template <int Dim>
+struct WrittenFacets {
+  std::vector<MixedFacet<Dim>> facets;
+  std::vector<Marker> markers;
+
+  template <class Mesh>
+  explicit WrittenFacets(const Mesh& mesh) {
+    for (const auto* list : {&mesh.boundary, &inner_facets_of(mesh)})
+      for (const auto& facet : *list) {
+        facets.push_back(vertices_of(facet));
+        markers.push_back(facet.marker);
+      }
+  }
+};
+
+template <class Mesh>
 void write_field_data(VtuText& text, const Mesh& mesh) {
   text.line("<FieldData>");
-  write_facets(text, vtu_names::boundary, mesh.boundary, Dim);
-  if (!inner_facets_of(mesh).empty())
-    write_facets(text, Dim == 2 ? vtu_names::constraints : vtu_names::interfaces, inner_facets_of(mesh), Dim);
+  text.array<std::int64_t>(vtu_names::facets, 1,
+                           {std::ssize(mesh.boundary), std::ssize(inner_facets_of(mesh))}, true);
   write_names(text, mesh.marker_names, "marker", vtu_names::marker_numbers, vtu_names::marker_names);
   write_names(text, mesh.region_names, "region", vtu_names::region_numbers, vtu_names::region_names);
   text.line("</FieldData>");
@@ -135,6 +136,19 @@ void write_fields(VtuText& text, const std::vector<Field>& fields) {
   }
 }
 
+/// The fields of cells with a row more for each facet: that of the cell at it, so that a picture shows no seam.
+std::vector<CellField> with_rows_of(const std::vector<CellField>& fields,
+                                    const std::vector<std::size_t>& cells) {
+  std::vector<CellField> longer = fields;
+  for (CellField& field : longer) {
+    field.values.reserve(field.values.size() + cells.size() * field.components);
+    for (const std::size_t cell : cells)
+      for (std::size_t k = 0; k < field.components; ++k)
+        field.values.push_back(field.values[cell * field.components + k]);
+  }
+  return longer;
+}
+
 Point3 in_space(Point2 p) { return {p.x, p.y, 0}; }
 const Point3& in_space(const Point3& p) { return p; }
 
@@ -148,6 +162,14 @@ class VtuCellArrays {
           static_cast<std::int64_t>(corners[kind == CellKind::prism ? vtk_prism_order[i] : i].index()));
     offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
     types_.push_back(static_cast<std::uint8_t>(vtk_type_of(kind)));
+  }
+  template <int Dim>
+  void add_facet(const MixedFacet<Dim>& facet) {
+    for (const VertexId v : facet) connectivity_.push_back(static_cast<std::int64_t>(v.index()));
+    offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
+    types_.push_back(static_cast<std::uint8_t>(facet.size() == 2   ? vtk_line
+                                               : facet.size() == 3 ? vtk_triangle
+                                                                   : vtk_quadrilateral));
   }
   void write(VtuText& text) const {
     text.array("connectivity", 1, connectivity_);
@@ -189,7 +211,8 @@ std::vector<double> coordinates_of(const Points& points) {
 
 /// The file about its parts: each of the three writes its lines, or none.
 template <class FieldData, class PointData, class CellData>
-std::string format_piece(const WrittenPiece& piece, FieldData field_data, PointData point_data, CellData cell_data) {
+std::string format_piece(const WrittenPiece& piece, FieldData field_data, PointData point_data,
+                         CellData cell_data) {
   VtuText text;
   const std::string compressor(vtk_compressor());
   text.line("<?xml version=\"1.0\"?>");
@@ -223,18 +246,32 @@ std::string format(const Mesh& mesh, const std::vector<PointField>& point_fields
                    const std::vector<CellField>& cell_fields) {
   mesh::require_ids_in_range(mesh);
   check_fields(point_fields, mesh.vertex_count(), {vtu_names::vertex_marker});
-  check_fields(cell_fields, mesh.cell_count(), {vtu_names::region});
-  WrittenPiece piece{mesh.vertex_count(), mesh.cell_count(), coordinates_of(mesh.points), {}};
+  check_fields(cell_fields, mesh.cell_count(), {vtu_names::region, vtu_names::other_cell_marker});
+  const WrittenFacets<Dim> facets(mesh);
+  std::vector<std::size_t> cells_at_facets;
+  if (!cell_fields.empty() || !mesh.regions.empty()) cells_at_facets = cells_at<Dim>(mesh, facets.facets);
+  WrittenPiece piece{
+      mesh.vertex_count(), mesh.cell_count() + facets.facets.size(), coordinates_of(mesh.points), {}};
   add_cells(piece.cell_arrays, mesh);
+  for (const MixedFacet<Dim>& facet : facets.facets) piece.cell_arrays.add_facet(facet);
   return format_piece(
-      piece, [&](VtuText& text) { write_field_data<Dim>(text, mesh); },
+      piece, [&](VtuText& text) { write_field_data(text, mesh); },
       [&](VtuText& text) {
         write_fields(text, point_fields);
         if (!mesh.vertex_markers.empty()) text.array(vtu_names::vertex_marker, 1, mesh.vertex_markers.flat());
       },
       [&](VtuText& text) {
-        write_fields(text, cell_fields);
-        if (!mesh.regions.empty()) text.array(vtu_names::region, 1, mesh.regions.flat());
+        write_fields(text, with_rows_of(cell_fields, cells_at_facets));
+        if (!mesh.regions.empty()) {
+          const std::vector<CellField> regions{{vtu_names::region, 1, mesh.regions.flat()}};
+          write_fields(text, with_rows_of(regions, cells_at_facets));
+        }
+        std::vector<Marker> markers(mesh.cell_count(), 0);
+        markers.insert(markers.end(), facets.markers.begin(), facets.markers.end());
+        const bool is_taken = std::any_of(cell_fields.begin(), cell_fields.end(), [](const CellField& field) {
+          return field.name == vtu_names::cell_marker;
+        });
+        text.array(is_taken ? vtu_names::other_cell_marker : vtu_names::cell_marker, 1, markers);
       });
 }
 
@@ -245,7 +282,8 @@ class UsedPoints {
     for (const MixedFacet<3>& facet : facets)
       for (const VertexId v : facet) {
         if (!number_.contains(v))
-          throw InputError("surface", "a facet names vertex " + std::to_string(v.raw) + ", which is not there",
+          throw InputError("surface",
+                           "a facet names vertex " + std::to_string(v.raw) + ", which is not there",
                            "give facets of the mesh");
         number_[v] = v;  // is used
       }
@@ -309,23 +347,27 @@ void write_vtu(const std::filesystem::path& path, const MixedMesh<3>& mesh,
   write_file_atomically(path, format_vtu(mesh, point_fields, cell_fields));
 }
 
-
 void write_surface_vtu(const std::filesystem::path& path, const PerId<VertexId, Point3>& points,
                        const std::vector<MixedFacet<3>>& facets, const std::vector<PointField>& point_fields,
-                       const std::vector<CellField>& cell_fields) {
+                       const std::vector<CellField>& cell_fields, const std::vector<Marker>& markers) {
   check_fields(point_fields, points.size(), {vtu_names::vertex_marker});
-  check_fields(cell_fields, facets.size(), {vtu_names::region});
+  if (markers.empty())
+    check_fields(cell_fields, facets.size(), {vtu_names::region});
+  else
+    check_fields(cell_fields, facets.size(), {vtu_names::region, vtu_names::cell_marker});
   const UsedPoints used(points.size(), facets);
   std::vector<Point3> places;
   for (const VertexId v : used.all()) places.push_back(points[v]);
   WrittenPiece piece{places.size(), facets.size(), coordinates_of(places), {}};
-  for (const MixedFacet<3>& facet : facets)
-    piece.cell_arrays.add(facet.size() == 3 ? CellKind::triangle : CellKind::quadrilateral, used.renumbered(facet));
+  for (const MixedFacet<3>& facet : facets) piece.cell_arrays.add_facet(used.renumbered(facet));
   std::vector<PointField> parts;
   for (const PointField& field : point_fields) parts.push_back(used.of(field));
   write_file_atomically(path, format_piece(
                                   piece, [](VtuText&) {}, [&](VtuText& text) { write_fields(text, parts); },
-                                  [&](VtuText& text) { write_fields(text, cell_fields); }));
+                                  [&](VtuText& text) {
+                                    write_fields(text, cell_fields);
+                                    if (!markers.empty()) text.array(vtu_names::cell_marker, 1, markers);
+                                  }));
 }
 
 }  // namespace leonhard::io

@@ -86,7 +86,7 @@ AnySoup read_any_soup(const std::filesystem::path& path, const ReadOptions& opti
   }
   if (extension == ".mesh") {
     MeditData data = parse_medit_data(read_whole_file(path), source);
-    if (data.dimension == 2) return medit_soup<2>(std::move(data), source);
+    if (dimension_of(data) == 2) return medit_soup<2>(std::move(data), source);
     return medit_soup<3>(std::move(data), source);
   }
   if (extension == ".p2dfmt") return read_plot3d_soup(path);

@@ -42,8 +42,7 @@ void for_each_list_of_corners(const MeshSoup<Dim>& soup, Visit visit) {
 }  // namespace
 
 template <int Dim>
-void check_soup(const MeshSoup<Dim>& soup) {
-  check_counts(soup);
+void check_corners_and_places(const MeshSoup<Dim>& soup) {
   for (const VertexId v : soup.mesh.points.ids())
     if (!is_finite(soup.mesh.points[v]))
       throw InputError(soup.source, mesh::words(soup.mesh, v) + " is not at a finite place",
@@ -60,6 +59,12 @@ void check_soup(const MeshSoup<Dim>& soup) {
 }
 
 template <int Dim>
+void check_soup(const MeshSoup<Dim>& soup) {
+  check_counts(soup);
+  check_corners_and_places(soup);
+}
+
+template <int Dim>
 void refuse_repeated_vertices(const MeshSoup<Dim>& soup) {
   for_each_list_of_corners(soup, [&](const auto& corners, auto where, auto what) {
     for (auto corner = corners.begin(); corner != corners.end(); ++corner)
@@ -71,6 +76,8 @@ void refuse_repeated_vertices(const MeshSoup<Dim>& soup) {
 
 template void check_soup(const MeshSoup<2>&);
 template void check_soup(const MeshSoup<3>&);
+template void check_corners_and_places(const MeshSoup<2>&);
+template void check_corners_and_places(const MeshSoup<3>&);
 template void refuse_repeated_vertices(const MeshSoup<2>&);
 template void refuse_repeated_vertices(const MeshSoup<3>&);
 

@@ -30,6 +30,10 @@ template <int Dim>
 template <int Dim>
 void check_soup(const MeshSoup<Dim>& soup);
 
+/// What check_soup says of places and corners, whether there are cells or not.
+template <int Dim>
+void check_corners_and_places(const MeshSoup<Dim>& soup);
+
 /// No cell and no facet has a vertex twice. throws  InputError
 template <int Dim>
 void refuse_repeated_vertices(const MeshSoup<Dim>& soup);

@@ -59,8 +59,8 @@ bool equal_in_any_case(std::string_view word, std::string_view lower) {
 
 class ColumnReader {
  public:
-  ColumnReader(std::string_view text, const std::string& source, std::size_t dimension)
-      : scan_(text, source, {.comment = '#'}), dimension_(dimension) {
+  ColumnReader(std::string_view text, const std::string& source, std::size_t dimension, bool further)
+      : scan_(text, source, {.comment = '#'}), dimension_(dimension), further_(further) {
     for (std::size_t i = 0; i < dimension; ++i) column_[i] = i;
   }
 
@@ -99,6 +99,11 @@ class ColumnReader {
       found[i] = static_cast<std::size_t>(at - fields_.begin());
     }
     column_ = found;
+    set_columns();
+  }
+
+  /// Every line has as many columns as this one.
+  void set_columns() {
     columns_ = fields_.size();
     if (*columns_ > dimension_)
       result_.warnings.push_back(scan_.where() + ": " + std::to_string(*columns_ - dimension_) +
@@ -107,6 +112,11 @@ class ColumnReader {
 
   void read_point() {
     split(scan_.rest(), fields_);
+    const bool is_first = result_.coordinates.empty();
+    if (further_ && is_first && !columns_ && fields_.size() > dimension_) {
+      set_columns();
+      told_by_ = "the first line";
+    }
     check_column_count();
     for (std::size_t i = 0; i < dimension_; ++i) result_.coordinates.push_back(number(fields_[column_[i]]));
   }
@@ -115,7 +125,7 @@ class ColumnReader {
     const std::size_t expected = columns_.value_or(dimension_);
     if (fields_.size() == expected) return;
     std::string problem = "the line has " + std::to_string(fields_.size()) + " columns, ";
-    problem += columns_ ? "the header " + std::to_string(expected)
+    problem += columns_ ? told_by_ + " " + std::to_string(expected)
                         : "a point of " + std::string(dimension_ == 2 ? "the plane" : "space") + " has " +
                               std::to_string(expected);
     const bool extra = fields_.size() > expected;
@@ -145,17 +155,20 @@ class ColumnReader {
 
   TextScanner scan_;
   std::size_t dimension_;
+  bool further_;
   std::array<std::size_t, 3> column_{};  ///< of each coordinate
-  std::optional<std::size_t> columns_;   ///< of every line, where a header named the coordinates
+  std::optional<std::size_t> columns_;   ///< of every line, where a header or the first line told
+  std::string told_by_ = "the header";
   std::vector<std::string_view> fields_;
   PointColumns result_;
 };
 
 }  // namespace
 
-PointColumns parse_point_columns(std::string_view text, const std::string& source, std::size_t dimension) {
+PointColumns parse_point_columns(std::string_view text, const std::string& source, std::size_t dimension,
+                                 bool further) {
   assert(dimension == 2 || dimension == 3);
-  return ColumnReader(text, source, dimension).read();
+  return ColumnReader(text, source, dimension, further).read();
 }
 
 }  // namespace leonhard::io

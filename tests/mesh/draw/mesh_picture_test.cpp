@@ -37,6 +37,32 @@ TEST_CASE("a_mesh_shows_white_triangles_dark_edges_coloured_boundary_and_grey_bo
         60);  // the hole's side
 }
 
+TEST_CASE("no_edge_is_drawn_within_a_cell_of_several_triangles") {
+  const test::Folder folder;
+  const TriangleMesh mesh = test::square_with_hole();
+  // The first triangle and a neighbour of it are one cell.
+  std::vector<std::size_t> cell_of(mesh.triangle_count());
+  for (std::size_t t = 0; t < cell_of.size(); ++t) cell_of[t] = t;
+  const TriangleId first = TriangleId::from(0);
+  std::size_t side = 0;
+  while (!mesh.neighbours[first][side]) ++side;
+  cell_of[(*mesh.neighbours[first][side]).index()] = 0;
+  const Point2 a = mesh.points[mesh.corners[first][(side + 1) % 3]],
+               b = mesh.points[mesh.corners[first][(side + 2) % 3]];
+  for (const bool whole : {false, true}) {
+    MeshOptions options{.title = "Square", .legend = LegendPlace::none};
+    if (whole) options.cell_of = cell_of;
+    draw_mesh(folder / "mesh.png", mesh, options);
+    const test::Pixels picture(folder / "mesh.png");
+    const auto shade =
+        test::difference(picture.at(frame_of(mesh, options).page({(a.x + b.x) / 2, (a.y + b.y) / 2})), blank);
+    CHECK((whole ? shade < 10 : shade > 60));
+  }
+  MeshOptions wrong;
+  wrong.cell_of = std::span(cell_of).first(1);
+  CHECK_THROWS_AS(draw_mesh(folder / "mesh.png", mesh, wrong), InputError);
+}
+
 TEST_CASE("a_view_is_shown_where_the_axes_say") {
   const test::Folder folder;
   const TriangleMesh mesh = test::square_with_hole();

@@ -80,7 +80,12 @@ TEST_CASE("vtu_prisms_are_written_with_the_base_outwards_and_taken_either_way") 
   const auto row = turned.corners[0];
   std::swap(row[1], row[2]), std::swap(row[4], row[5]);
   const std::string bytes = io::format_vtu(mesh);
-  CHECK(io::parse_vtu_grid(bytes, "m.vtu").connectivity == std::vector<std::int64_t>{0, 2, 1, 3, 5, 4});
+  const io::VtkGrid grid = io::parse_vtu_grid(bytes, "m.vtu");
+  CHECK(std::vector(grid.connectivity.begin(), grid.connectivity.begin() + 6) ==
+        std::vector<std::int64_t>{0, 2, 1, 3, 5, 4});
+  CHECK(grid.types[0] == 13);  // then its two triangles and three quadrilaterals
+  CHECK(std::ranges::count(grid.types, 5) == 2);
+  CHECK(std::ranges::count(grid.types, 9) == 3);
   for (const auto& written : {mesh, turned}) {
     const MixedMeshFile<3> file = parse(io::format_vtu(written));
     CHECK(file.warnings.empty());
@@ -102,12 +107,14 @@ TEST_CASE("vtu_bad_meshes_of_mixed_cells_are_refused") {
 }
 
 TEST_CASE("facets_are_written_as_a_surface_with_the_points_that_they_use_alone") {
-  const PerId<VertexId, Point3> points(std::vector<Point3>{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 5}});
+  const PerId<VertexId, Point3> points(
+      std::vector<Point3>{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 5}});
   const auto at = [](std::size_t i) { return VertexId::from(i); };
   const std::vector<MixedFacet<3>> facets{{at(1), at(2), at(3), at(4)}, {at(2), at(5), at(3)}};
   const Folder folder;
   const auto path = folder.path / "surface.vtu";
-  io::write_surface_vtu(path, points, facets, {{"cf", 2, {0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}}, {{"marker", 1, {3, 4}}});
+  io::write_surface_vtu(path, points, facets, {{"cf", 2, {0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}},
+                        {{"marker", 1, {3, 4}}});
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const io::VtkGrid grid = io::parse_vtu_grid(bytes, "surface.vtu");
@@ -117,5 +124,6 @@ TEST_CASE("facets_are_written_as_a_surface_with_the_points_that_they_use_alone")
   REQUIRE(grid.point_arrays.size() == 1);
   CHECK(grid.point_arrays[0].name == "cf");
   CHECK(grid.point_arrays[0].values == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
-  CHECK_THROWS_WITH_AS(io::write_surface_vtu(path, points, {{at(0), at(1), at(8)}}), doctest::Contains("vertex 8"), InputError);
+  CHECK_THROWS_WITH_AS(io::write_surface_vtu(path, points, {{at(0), at(1), at(8)}}),
+                       doctest::Contains("vertex 8"), InputError);
 }

@@ -33,6 +33,15 @@ TEST_CASE("node_of_space_keeps_points_attributes_and_markers_to_the_last_bit") {
   CHECK(from_one.markers == std::vector<Marker>{7, 8});
 }
 
+TEST_CASE("columns_behind_the_coordinates_are_left_out_if_every_line_has_them") {
+  const Points3File file = io::parse_xyz("0 0 1 255 128 0\n2 0 1 255 128 9\n", "p.xyz");
+  CHECK(file.set.points == std::vector<Point3>{{0, 0, 1}, {2, 0, 1}});
+  REQUIRE(file.warnings.size() == 1);
+  CHECK(file.warnings[0].find("p.xyz:1: 3 columns") == 0);
+  check_refused({{"fewer", "0 0 0 7\n1 1 1\n", {"p.xyz:2", "3 columns, the first line 4"}}},
+                [](const std::string& text) { (void)io::parse_xyz(text, "p.xyz"); });
+}
+
 TEST_CASE("columns_of_space_are_read_however_they_are_separated_and_named") {
   const std::vector<Point3> expected{{1, 2, 3}, {-0.5, 3e4, 0}};
   for (const std::string text : {"1 2 3\n-0.5 3e4 0\n", "1;2;3\r\n-.5;3e4;0",

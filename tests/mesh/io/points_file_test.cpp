@@ -63,6 +63,13 @@ TEST_CASE("columns_of_points_of_space_are_read_as_three_and_refused_as_two") {
   CHECK(holds(words, "x and y"));
 }
 
+TEST_CASE("further_columns_of_the_plane_are_left_out_where_they_are_expected") {
+  const PointsFile file = io::parse_xy("0 0 255\n2 0 128\n", "p.xy", true);
+  CHECK(file.set.points == std::vector<Point2>{{0, 0}, {2, 0}});
+  REQUIRE(file.warnings.size() == 1);
+  CHECK(holds(file.warnings[0], "p.xy:1: 1 columns"));
+}
+
 TEST_CASE("bad_columns_are_refused_with_their_line") {
   CHECK(holds(complaint("1 2\n3\n"), "p.xy:2: the line has 1 columns"));
   CHECK(holds(complaint("1 2\n3 abc\n"), "p.xy:2: found \"abc\""));

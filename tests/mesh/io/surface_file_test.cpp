@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "leonhard/mesh/io/any_contents.hpp"
 #include "leonhard/mesh/io/formats/surface_formats.hpp"
 #include "tests/mesh/io/sample_meshes.hpp"
 
@@ -269,4 +270,32 @@ TEST_CASE("every_prefix_of_a_surface_with_counts_is_refused") {
                                       : (void)io::parse_stl(bytes.substr(0, length), "s");
                     }) != "accepted",
                     "cut after byte ", length);
+}
+
+TEST_CASE("surfaces_come_back_from_every_format_that_is_written") {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "leonhard_surface_write_test";
+  std::filesystem::create_directories(folder);
+  SurfaceFile surface = io::parse_off(off, "s.off");
+  surface.set.points[1].x = 1.0 / 3;  // no short decimal
+  surface.markers = {7, 0, 8, 9};
+  for (const std::string& extension : io::surface_output_extensions()) {
+    CAPTURE(extension);
+    const std::filesystem::path path = folder / ("s" + extension);
+    const bool keeps_markers = extension == ".mesh" || extension == ".msh" || extension == ".vtu";
+    CHECK(io::write_surface(path, surface) == (keeps_markers ? "" : "markers of the polygons"));
+    const AnyContents contents =
+        keeps_markers ? io::read_any_contents(path) : AnyContents(io::read_surface(path));
+    const auto* back = std::get_if<SurfaceFile>(&contents);
+    REQUIRE(back != nullptr);
+    REQUIRE(back->polygon_count() == surface.polygon_count());
+    for (std::size_t i = 0; i < surface.polygon_count(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)  // STL numbers its vertices anew
+        CHECK(back->set.points[back->polygon(i)[k].index()] ==
+              surface.set.points[surface.polygon(i)[k].index()]);
+    if (keeps_markers) CHECK(back->markers == surface.markers);
+  }
+  CHECK_THROWS_AS((void)io::write_surface(folder / "s.su2", surface), InputError);
+  surface.offsets = {0, 12};  // one polygon of twelve corners
+  CHECK_THROWS_AS((void)io::write_surface(folder / "s.mesh", surface), InputError);
+  std::filesystem::remove_all(folder);
 }

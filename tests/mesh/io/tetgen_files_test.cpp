@@ -38,6 +38,16 @@ TEST_CASE("tetgen_files_numbered_from_1_with_faces_that_name_their_tetrahedra_ar
   CHECK(file.mesh.boundary[3] == MarkedFace{{VertexId{0}, VertexId{3}, VertexId{2}}, -1});
 }
 
+TEST_CASE("tetgen_faces_of_second_order_have_their_marker_behind_six_nodes") {
+  io::TetgenFileTexts texts = one;
+  for (const char* tetrahedra : {"", " 1 -1"}) {
+    texts.face = "4 1\n";
+    for (const char* face : {"1 3 2 1 4 4 4 2", "2 1 2 4 4 4 4 3", "3 2 3 4 4 4 4 -1", "4 1 3 4 4 4 4 -1"})
+      *texts.face += std::string(face) + tetrahedra + "\n";
+    CHECK(parse(texts).mesh.boundary == parse(one).mesh.boundary);
+  }
+}
+
 TEST_CASE("tetgen_mesh_without_a_face_file_gets_the_marker_1_all_over_with_a_warning") {
   io::TetgenFileTexts texts = one;
   texts.face.reset();
