@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "leonhard/kernel/point.hpp"
@@ -16,6 +19,10 @@ enum class Crossings {
   split,   ///< each crossing becomes a point, rounded to doubles, and both segments pass through it
   skip     ///< of two segments that cross the later one is left out, unless it crosses only such as are left out
 };
+
+/// As users name them.
+inline constexpr std::array<std::pair<std::string_view, Crossings>, 3> named_crossings{
+    {{"split", Crossings::split}, {"reject", Crossings::reject}, {"skip", Crossings::skip}}};
 
 /// A crossing of two segments.
 struct Crossing {

@@ -142,10 +142,13 @@ MesherCase read_mesher(SectionReader mesher, const Case& c) {
   m.size = mesher.optional_number("size", above(0), "no bound");
   m.max_vertices = static_cast<std::size_t>(
       mesher.integer("max_vertices", static_cast<std::int64_t>(m.max_vertices), 3, 4'000'000'000));
+  m.crossings = mesher.choice("crossings", std::optional(m.crossings),
+                              SectionReader::Words<delaunay::Crossings>(delaunay::named_crossings));
   if (!c.mesh_file.empty())
-    for (const auto key : {"min_angle_deg", "growth", "size", "max_vertices"})
+    for (const auto key : {"min_angle_deg", "growth", "size", "max_vertices", "crossings"})
       mesher.refuse(key, ready_mesh_reason);
   if (!c.domain_file.empty()) mesher.refuse("growth", "without bodies there is nothing to grow from");
+  if (c.domain_file.empty()) mesher.refuse("crossings", "bodies must not cross");
   return m;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "leonhard/app/case/keys.hpp"
+#include "leonhard/delaunay/crossings.hpp"
 #include "leonhard/app/case/place_value.hpp"
 #include "leonhard/graph/partition.hpp"
 #include "leonhard/kernel/point.hpp"
@@ -61,6 +62,7 @@ struct MesherCase {
   double growth = 0.08;        ///< growth of the edge length per unit of distance from the bodies
   std::optional<double> size;  ///< largest edge length anywhere, chords
   std::size_t max_vertices = 1'000'000;
+  delaunay::Crossings crossings = delaunay::Crossings::split;  ///< of a domain's segments
 };
 
 /// [boundary.NAME]: NAME is a body's name, "farfield", a marker's name in a mesh file, or a marker's number.

@@ -12,6 +12,7 @@
 #include "leonhard/app/case/case.hpp"
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/geometry/crossings_option.hpp"
 #include "leonhard/app/geometry/geometry_file.hpp"
 #include "leonhard/app/report/mesh_json.hpp"
 #include "leonhard/app/report/mesh_report.hpp"
@@ -30,6 +31,7 @@ struct MeshOptions {
   std::string geometry;
   MesherCase mesher;
   double size = 0, max_area = 0, chord = 0;
+  std::string crossings = "split";
   bool convex_hull = false;
   BodyCase body;
   FarFieldCase farfield;
@@ -135,7 +137,9 @@ ExitCode mesh(const MeshOptions& options) {
   std::vector<std::string> warnings = input.warnings;
   for (const std::string& warning : warnings) console.warning(warning);
   domain.keep_convex_hull = options.convex_hull;
-  const auto meshed = mesh_domain(domain, options.mesher, options.max_area, signals.token());
+  MesherCase mesher = options.mesher;
+  mesher.crossings = crossings_named(options.crossings);
+  const auto meshed = mesh_domain(domain, mesher, options.max_area, signals.token());
   for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) {
     console.warning(warning);
     warnings.push_back(warning);
@@ -201,6 +205,7 @@ Command mesh_command() {
             .help = "Stop at this many vertices",
             .target = &options->mesher.max_vertices,
             .shows_default = true},
+           crossings_option(&options->crossings),
            {"--convex-hull",
             "Domains: keep the convex hull, carving holes only; otherwise all outside the segments goes",
             &options->convex_hull},

@@ -8,6 +8,7 @@
 
 #include "leonhard/app/commands/commands.hpp"
 #include "leonhard/app/console.hpp"
+#include "leonhard/app/geometry/crossings_option.hpp"
 #include "leonhard/app/geometry/geometry_file.hpp"
 #include "leonhard/app/report/lap_timer.hpp"
 #include "leonhard/app/report/mesh_json.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 struct TriangulateCommand {
   CommonOptions common;
-  std::string input, algorithm = "fast";
+  std::string input, algorithm = "fast", crossings = "split";
   bool convex_hull = false;
 };
 
@@ -30,6 +31,7 @@ delaunay::TriangulateOptions options_of(const TriangulateCommand& command, Conso
                                         const StopOnSignal& signals) {
   delaunay::TriangulateOptions options;
   options.keep_convex_hull = command.convex_hull;
+  options.crossings = crossings_named(command.crossings);
   options.algorithm = delaunay::algorithm_named(command.algorithm).value_or(delaunay::Algorithm::fast);
   options.threads = static_cast<unsigned>(command.common.threads);
   options.seed = command.common.seed;
@@ -119,6 +121,7 @@ Command triangulate_command() {
                    .target = &options->algorithm,
                    .shows_default = true,
                    .choices = algorithm_names()},
+                  crossings_option(&options->crossings),
                   {"--convex-hull",
                    "PSLG: keep the convex hull, carving holes only; otherwise all outside the segments goes",
                    &options->convex_hull}},

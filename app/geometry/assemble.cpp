@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -167,13 +166,6 @@ DomainGeometry domain_of(Pslg&& pslg, const Case& c) {
   if (!(box.extent() > 0) || !std::isfinite(box.extent()))
     throw InputError(c.domain_file.string(), fmt::format("the points span {}", box.extent()),
                      "correct the coordinates");
-  const DyadicGrid grid(box.extent(), box.largest());
-  const std::set<Point2> before(domain.pslg.points.begin(), domain.pslg.points.end());
-  for (Point2& p : domain.pslg.points) p = grid(p);
-  if (std::set<Point2>(domain.pslg.points.begin(), domain.pslg.points.end()).size() != before.size())
-    throw InputError(c.domain_file.string(),
-                     fmt::format("two different points are nearer than {}, 2^-36 of the domain", grid.step()),
-                     "merge them");
   domain.body_extent = box.extent();
   domain.centre = box.centre();
   if (c.mesher.size) domain.max_size = *c.mesher.size * c.reference.length;

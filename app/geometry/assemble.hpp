@@ -33,7 +33,7 @@ struct DomainGeometry {
 
 /// Bodies and far field, or the domain file, of a case.
 ///
-/// Every coordinate is a multiple of a power of two (2^-36 of the size of the bodies), a change below 1e-11
+/// A domain's coordinates are those of its file. Of bodies and their far field, whose points are chosen here, every coordinate is a multiple of a power of two (2^-36 of the size of the bodies), a change below 1e-11
 /// of the chord. That leaves spare bits in each double, so that the midpoints at which the mesher splits a
 /// segment lie on it exactly, as do the midpoints of the halves, and so on: the mesh's area equals the
 /// polygon's in exact arithmetic.

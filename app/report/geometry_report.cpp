@@ -51,10 +51,12 @@ GeometryReport geometry_report(const Pslg& pslg, const delaunay::TriangulateOpti
   report.parts = parts_of(pslg);
   delaunay::TriangulateOptions work = options;
   work.keep_convex_hull = !report.is_closed();
+  work.crossings = delaunay::Crossings::split;
   delaunay::Triangulation result = delaunay::triangulate(pslg, work);
   report.outcome = result.outcome;
   report.triangles = result.mesh.triangle_count();
   report.area = mesh::exact_area2(result.mesh).get_d() / 2;
+  report.crossings = result.crossings.size();
   report.repairs = std::move(result.repairs);
   return report;
 }
@@ -63,6 +65,7 @@ Json to_json(const GeometryReport& report) {
   Json json = to_json(report.account);
   json["segments"] = report.segments;
   json["holes"] = report.holes;
+  json["crossings"] = report.crossings;
   json["open_ends"] = report.open_ends;
   json["closed"] = report.is_closed();
   json["outcome"] = to_string(report.outcome);
@@ -91,6 +94,7 @@ std::string text_of(const GeometryReport& report) {
                                     : fmt::format("NO: {} points are the end of one segment alone",
                                                   grouped(report.open_ends)));
   line("holes", grouped(report.holes));
+  line("crossings", report.crossings == 0 ? "none" : grouped(report.crossings));
   line("triangles", grouped(report.triangles));
   line("area", fmt::format("{:.15g}{}", report.area, report.is_closed() ? "" : " of the convex hull"));
   for (const GeometryReport::Part& part : report.parts)

@@ -29,6 +29,7 @@ struct GeometryReport {
   delaunay::TriangulateOutcome outcome{};
   std::size_t triangles{};  ///< of the constrained Delaunay triangulation: within the outlines if is_closed()
   double area{};            ///< of these
+  std::size_t crossings{};  ///< of segments where neither ends; the triangulation has vertices there
   std::vector<std::string> repairs;  ///< what the triangulation mended, in words
 
   [[nodiscard]] bool is_closed() const { return open_ends == 0; }
@@ -36,7 +37,7 @@ struct GeometryReport {
   [[nodiscard]] bool is_sound() const { return is_closed() && outcome == delaunay::TriangulateOutcome::done; }
 };
 
-/// throws  InputError as delaunay::triangulate does: segments that cross, a seed on a segment
+/// throws  InputError as delaunay::triangulate does, of a seed on a segment
 [[nodiscard]] GeometryReport geometry_report(const Pslg& pslg, const delaunay::TriangulateOptions& options);
 
 /// For people, and for programs.

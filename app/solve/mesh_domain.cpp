@@ -34,7 +34,7 @@ delaunay::RefinedMesh mesh_domain(const DomainGeometry& domain, const MesherCase
   options.max_vertices = mesher.max_vertices;
   options.max_area = max_area;
   options.keep_convex_hull = domain.keep_convex_hull;
-  options.crossings = domain.crossings;
+  options.crossings = mesher.crossings;
   options.size = sizing_of(domain);
   options.progress.stop = std::move(stop);
   return delaunay::mesh_pslg(domain.pslg, options);

@@ -76,7 +76,9 @@ void match_markers(SolveRun& run, const std::string& source) {
 
 /// The polygon's area is that of its constrained Delaunay triangulation without new points, in rationals.
 AreaAccount area_account(const SolveRun& run) {
-  const mpq_class polygon2 = mesh::exact_area2(delaunay::triangulate(run.geometry->pslg).mesh);
+  delaunay::TriangulateOptions options;
+  options.crossings = run.the_case.mesher.crossings;
+  const mpq_class polygon2 = mesh::exact_area2(delaunay::triangulate(run.geometry->pslg, options).mesh);
   const mpq_class mesh2 = mesh::exact_area2(run.mesh);
   const mpq_class difference2 = mesh2 - polygon2;
   return {mesh2.get_d() / 2, polygon2.get_d() / 2, difference2 == 0, difference2.get_d() / 2};
