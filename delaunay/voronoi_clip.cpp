@@ -85,7 +85,7 @@ class Clipper {
   /// sides      what each side is called in `crossings`
   /// crossings  of edges of the diagram with sides, found before and now
   Clipper(const VoronoiDiagram& diagram, std::span<const Point2> window, std::span<const std::size_t> sides,
-          Crossings& crossings)
+          WindowCrossings& crossings)
       : diagram_(diagram),
         window_(window),
         sides_(sides),
@@ -216,7 +216,7 @@ class Clipper {
   const VoronoiDiagram& diagram_;
   std::span<const Point2> window_;
   std::span<const std::size_t> sides_;
-  Crossings& crossings_;
+  WindowCrossings& crossings_;
   int exponent_;
   std::vector<Point2> small_window_;
   std::vector<CutCorner> polygon_, room_;  ///< of the cell in hand, scaled, about its site
@@ -227,7 +227,7 @@ class Clipper {
 }  // namespace
 
 ClippedVoronoi clip_to_window(const VoronoiDiagram& diagram, std::span<const Point2> window,
-                              std::span<const std::size_t> sides, Crossings& crossings) {
+                              std::span<const std::size_t> sides, WindowCrossings& crossings) {
   check_window(window);
   return Clipper(diagram, window, sides, crossings).clip();
 }
@@ -235,7 +235,7 @@ ClippedVoronoi clip_to_window(const VoronoiDiagram& diagram, std::span<const Poi
 ClippedVoronoi clip(const VoronoiDiagram& diagram, std::span<const Point2> window) {
   std::vector<std::size_t> sides(window.size());
   std::iota(sides.begin(), sides.end(), std::size_t{0});
-  Crossings crossings;
+  WindowCrossings crossings;
   return clip_to_window(diagram, window, sides, crossings);
 }
 

@@ -45,7 +45,7 @@ struct CellPart {
 
 std::vector<CellPart> parts_of(const VoronoiDiagram& diagram, const TriangleMesh& triangles) {
   std::vector<CellPart> parts;
-  Crossings crossings;
+  WindowCrossings crossings;
   std::map<std::pair<VertexId, VertexId>, std::size_t> names;
   for (const auto& corners : triangles.corners) {
     std::array<Point2, 3> window;
