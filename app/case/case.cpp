@@ -293,7 +293,8 @@ SolverCase read_solver(SectionReader solver, const FlowCase& flow) {
   s.order = static_cast<int>(solver.integer("order", s.order, 1, 2));
   s.flux = solver.choice("flux", std::optional(s.flux), SectionReader::Words<FluxKind>(flux_words));
   s.limiter =
-      solver.choice("limiter", std::optional(usual_limiter(flow.mach, flow.reynolds.has_value())), SectionReader::Words<LimiterKind>(limiter_words));
+      solver.choice("limiter", std::optional(usual_limiter(flow.mach, flow.reynolds.has_value())),
+                    SectionReader::Words<LimiterKind>(limiter_words));
   s.gradient =
       solver.choice("gradient", std::optional(s.gradient), SectionReader::Words<GradientKind>(gradient_words));
   s.r3_k = solver.number("r3_k", s.r3_k, at_least(0));
