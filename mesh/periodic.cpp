@@ -230,7 +230,8 @@ PeriodicMatch<Dim> match_sides(const MeshDual<Dim>& dual, const PeriodicSides<Di
     throw InputError(between,
                      "do not match under the translation " + translation_words(best.translation) + " within " + mesh::words(tolerance) +
                          ": vertices " + told,
-                     sides.translation ? "correct the translation, or mesh both sides alike" : "mesh both sides alike, or give the translation");
+                     sides.translation ? "correct the translation, or mesh both sides alike"
+                                       : "mesh both sides alike, or give the translation");
   }
   PeriodicMatch<Dim> match{sides.from, sides.to, best.translation, std::move(best.pairs), best.mismatch};
   check_facets(dual, match, between);

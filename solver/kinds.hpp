@@ -36,6 +36,12 @@ enum class FluxKind {
 /// How a reconstructed gradient is limited; the formulas are in sweep/limiter.hpp.
 enum class LimiterKind { none, venkatakrishnan, barth_jespersen, nishikawa_r3 };
 
+/// How gradients at the vertices are made.
+enum class GradientKind {
+  least_squares,  ///< over the edges, weighted by the inverse of the distance: exact for linear functions on any cells
+  green_gauss,    ///< by the control volume's surface; exact for linear functions on simplices; on the boundary least squares
+};
+
 /// How the steady state is reached.
 enum class Marching {
   implicit_ptc,         ///< pseudo-transient continuation, Newton-Krylov at the end: the default, needs no tuning

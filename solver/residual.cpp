@@ -84,7 +84,7 @@ FlowResidual<dim>::FlowResidual(const FlowProblem<dim>& problem, const SpatialOp
     : problem_(problem),
       options_(options),
       kernels_(kernels),
-      plan_(make_edge_plan<dim>(problem.dual, options.part_of, options.parts)),
+      plan_(make_edge_plan<dim>(problem.dual, options.part_of, options.parts, options.gradient)),
       run_(options.threads),
       boundary_(make_boundary(problem)),
       walls_(problem, plan_),

@@ -23,6 +23,7 @@ struct SpatialOptions {
   int threads = 1;
   std::vector<std::uint32_t> part_of{};  ///< one a vertex, below parts; empty: see EdgePlan
   std::uint32_t parts = 0;
+  GradientKind gradient = GradientKind::least_squares;
 };
 
 /// The scheme's spatial operator: a numerical flux between linearly reconstructed primitive variables through the faces of

@@ -105,7 +105,8 @@ SteadyResult<dim> solve_steady(const FlowProblem<dim>& problem, const SteadyOpti
   } else {
     result = march(problem, options, monitor, stop);
   }
-  result.words = describe(result.verdict, result.at_rounding, result.history, result.bad_vertex, problem.dual) + describe(result.worst, problem.dual);
+  result.words = describe(result.verdict, result.at_rounding, result.history, result.bad_vertex, problem.dual) +
+                 describe(result.worst, problem.dual);
   result.forces_by_marker = wall_forces(problem, result.state, result.stresses);
   result.forces = total(result.forces_by_marker);
   if constexpr (dim == 2) result.surface = surface_lines(problem, result.state, result.stresses);

@@ -14,6 +14,7 @@ struct SteadyOptions {
   Marching marching = Marching::implicit_ptc;
   FluxKind flux = FluxKind::roe_low_mach;  ///< between control volumes; the far field keeps Roe's
   std::optional<LimiterKind> limiter{};  ///< none: usual_limiter
+  GradientKind gradient = GradientKind::least_squares;
   /// >= 0; larger limits less. A variation passes unlimited below (k h / extent)^1.5 of the local density, speed of sound
   /// or pressure times gamma; h is the control volume's root, in space its third root, the extent that of the walls, or of the mesh where there
   /// are none.

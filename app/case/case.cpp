@@ -50,6 +50,8 @@ constexpr std::pair<std::string_view, LimiterKind> limiter_words[] = {
     {"venkatakrishnan", LimiterKind::venkatakrishnan},
     {"barth-jespersen", LimiterKind::barth_jespersen},
     {"none", LimiterKind::none}};
+constexpr std::pair<std::string_view, GradientKind> gradient_words[] = {
+    {"least-squares", GradientKind::least_squares}, {"green-gauss", GradientKind::green_gauss}};
 constexpr std::pair<std::string_view, OrderChoice> order_words[] = {
     {"reverse-cuthill-mckee", OrderChoice::reverse_cuthill_mckee}, {"none", OrderChoice::none}};
 
@@ -294,7 +296,10 @@ SolverCase read_solver(SectionReader solver, const FlowCase& flow) {
   s.order = static_cast<int>(solver.integer("order", s.order, 1, 2));
   s.flux = solver.choice("flux", std::optional(s.flux), SectionReader::Words<FluxKind>(flux_words));
   s.limiter =
-      solver.choice("limiter", std::optional(usual_limiter(flow.mach, flow.reynolds.has_value())), SectionReader::Words<LimiterKind>(limiter_words));
+      solver.choice("limiter", std::optional(usual_limiter(flow.mach, flow.reynolds.has_value())),
+                    SectionReader::Words<LimiterKind>(limiter_words));
+  s.gradient =
+      solver.choice("gradient", std::optional(s.gradient), SectionReader::Words<GradientKind>(gradient_words));
   s.r3_k = solver.number("r3_k", s.r3_k, at_least(0));
   s.venkatakrishnan_k = solver.number("venkatakrishnan_k", s.venkatakrishnan_k, at_least(0));
   s.entropy_fix = solver.number("entropy_fix", s.entropy_fix, between(0, 1));

@@ -101,6 +101,7 @@ struct SolverCase {
   int order = 2;
   FluxKind flux = SteadyOptions{}.flux;
   LimiterKind limiter = usual_limiter(0, false);
+  GradientKind gradient = SteadyOptions{}.gradient;
   double r3_k = SteadyOptions{}.r3_k;
   double venkatakrishnan_k = SteadyOptions{}.venkatakrishnan_k;
   double residual_drop_orders = 8;

@@ -184,7 +184,8 @@ std::string mass_flows(const FlowRun<dim>& run) {
     sum += flow / run.the_case.flow.mach;
   }
   return out + row({"<b>all</b>", "", fmt::format("<b>{:.2g}</b>", sum)}) +
-         "</table>\n<p class=lead>In units of the free stream’s density, speed and the mesh’s length, by the scheme’s own fluxes.</p>\n";
+         "</table>\n<p class=lead>In units of the free stream’s density, speed and the mesh’s length, by the scheme’s own "
+         "fluxes.</p>\n";
 }
 
 }  // namespace

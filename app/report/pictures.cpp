@@ -122,10 +122,9 @@ class PlanePictures {
                                .line_levels = stream_levels(psi)};
     if (options.line_levels.empty()) return;
     draw::draw_field(path("streamlines.png"), run_.mesh, mach_numbers(run_), options);
-    add("Streamlines", run_.flow.stresses.empty()
-                           ? "Contour lines of the stream function, as much mass between each two of them; colours tell the Mach number."
-                           : "Contour lines of the stream function, as much mass between each two of them, closer ones near the walls' own value; colours "
-                             "tell the Mach number.");
+    const std::string closer = run_.flow.stresses.empty() ? "" : ", and closer ones near the walls' own value";
+    add("Streamlines", "Contour lines of the stream function, as much mass between each two of them" + closer +
+                           "; colours tell the Mach number.");
   }
   /// The vertices that keep the residual up, where the march did not get it down.
   void worst() {

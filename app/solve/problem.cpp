@@ -143,6 +143,7 @@ SteadyOptions options_of(const Case& c, int threads) {
   options.marching = s.marching;
   options.flux = s.flux;
   options.limiter = s.limiter;
+  options.gradient = s.gradient;
   options.r3_k = s.r3_k;
   options.venkatakrishnan_k = s.venkatakrishnan_k;
   options.entropy_fix = s.entropy_fix;

@@ -13,7 +13,7 @@ template <int dim>
 SpatialOptions spatial_options(const FlowProblem<dim>& problem, const SteadyOptions& o) {
   const LimiterKind limiter = o.limiter.value_or(usual_limiter(problem.free_stream.mach, problem.viscosity.has_value()));
   const double k = limiter == LimiterKind::nishikawa_r3 ? o.r3_k : o.venkatakrishnan_k;
-  return {o.order, o.flux, limiter, k, o.entropy_fix, o.threads, o.part_of, o.parts};
+  return {o.order, o.flux, limiter, k, o.entropy_fix, o.threads, o.part_of, o.parts, o.gradient};
 }
 
 /// Means over the volume, over those of the free stream: what is watched where there are no forces.

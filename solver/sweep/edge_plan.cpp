@@ -18,7 +18,7 @@ constexpr std::size_t lanes = 4;
 template <int dim>
 struct Link {
   std::uint32_t to;
-  Axes<dim> way;
+  Axes<dim> way, face;
 };
 
 /// The ends of all edges about each vertex, ascending; an edge from a vertex to itself counts twice, once each way.
@@ -27,8 +27,8 @@ CompressedRows<Link<dim>> links_of(const MeshDual<dim>& dual) {
   auto links = collect_rows<Link<dim>>(dual.vertex_count(), [&](const auto& add) {
     for (const EdgeId e : dual.edges.ends.ids()) {
       const auto [a, b] = dual.edges.ends[e];
-      add(a.index(), Link<dim>{static_cast<std::uint32_t>(b.index()), axes(dual.edge_vector(e))});
-      add(b.index(), Link<dim>{static_cast<std::uint32_t>(a.index()), axes(-dual.edge_vector(e))});
+      add(a.index(), Link<dim>{static_cast<std::uint32_t>(b.index()), axes(dual.edge_vector(e)), axes(dual.face[e])});
+      add(b.index(), Link<dim>{static_cast<std::uint32_t>(a.index()), axes(-dual.edge_vector(e)), axes(-dual.face[e])});
     }
   });
   for (std::size_t v = 0; v < links.size(); ++v) std::ranges::stable_sort(links[v], {}, &Link<dim>::to);
@@ -111,6 +111,23 @@ void list_joined_stencils(const MeshDual<dim>& dual, EdgePlan<dim>& plan) {
   plan.slot.resize(links.link_count());
   for (std::uint32_t v = 0; v < plan.vertex_count; ++v)
     fit_gradient<dim>({plan.slot.data() + links.offsets()[v], links[v].size()}, [&](std::size_t i) { return links[v][i].way; });
+}
+
+/// Weights of Green and Gauss away from the boundary. Over a closed surface a constant adds up to nothing, so that the mean on each
+/// face leaves half of the difference.
+template <int dim>
+void use_green_gauss(const MeshDual<dim>& dual, EdgePlan<dim>& plan) {
+  const CompressedRows<Link<dim>> links = links_of(dual);
+  std::vector<bool> on_boundary(plan.vertex_count, false);
+  for (const DualFacet<dim>& facet : dual.boundary)
+    for (const VertexId v : facet.corners) on_boundary[v.index()] = true;
+  for (std::uint32_t v = 0; v < plan.vertex_count; ++v) {
+    if (on_boundary[v]) continue;
+    const auto row = links[v];
+    for (std::size_t i = 0; i < row.size(); ++i)
+      for (std::size_t j = 0; j < dim; ++j)
+        plan.slot[links.offsets()[v] + i].weight[j] = 0.5 * row[i].face[j] / plan.volume[v];
+  }
 }
 
 template <int dim>
@@ -247,7 +264,8 @@ SweepMesh<dim> EdgePlan<dim>::view() const {
 }
 
 template <int dim>
-EdgePlan<dim> make_edge_plan(const MeshDual<dim>& dual, std::span<const std::uint32_t> part_of, std::uint32_t parts) {
+EdgePlan<dim> make_edge_plan(const MeshDual<dim>& dual, std::span<const std::uint32_t> part_of, std::uint32_t parts,
+                             GradientKind gradient) {
   EdgePlan<dim> plan;
   plan.vertex_count = dual.vertex_count();
   plan.volume = dual.volume.flat();
@@ -255,6 +273,7 @@ EdgePlan<dim> make_edge_plan(const MeshDual<dim>& dual, std::span<const std::uin
     list_stencils(dual, plan);
   else
     list_joined_stencils(dual, plan);
+  if (gradient == GradientKind::green_gauss) use_green_gauss(dual, plan);
   find_diagonals(plan);
   if (part_of.empty()) {
     choose_parts(dual, plan);
@@ -270,7 +289,7 @@ EdgePlan<dim> make_edge_plan(const MeshDual<dim>& dual, std::span<const std::uin
 
 template struct EdgePlan<2>;
 template struct EdgePlan<3>;
-template EdgePlan<2> make_edge_plan(const MeshDual<2>&, std::span<const std::uint32_t>, std::uint32_t);
-template EdgePlan<3> make_edge_plan(const MeshDual<3>&, std::span<const std::uint32_t>, std::uint32_t);
+template EdgePlan<2> make_edge_plan(const MeshDual<2>&, std::span<const std::uint32_t>, std::uint32_t, GradientKind);
+template EdgePlan<3> make_edge_plan(const MeshDual<3>&, std::span<const std::uint32_t>, std::uint32_t, GradientKind);
 
 }  // namespace leonhard::solver

@@ -59,13 +59,13 @@ struct EdgePlan {
 
 /// Gradients are least squares over the edge neighbours, each equation weighted by the inverse of the distance
 /// (Barth's notes 4.2; exact for linear functions); a vertex whose neighbours lie on one line, or in space on one plane,
-/// gets the gradient along it.
+/// gets the gradient along it. Or, away from the boundary, by Green and Gauss: half of each face vector over the control volume.
 ///
 /// part_of  one a vertex, each below `parts` (a part may be empty); an empty list: parts of the plan's own making
 /// dual     checked (check_problem)
 /// Cost O(vertices log parts).
 template <int dim>
 [[nodiscard]] EdgePlan<dim> make_edge_plan(const MeshDual<dim>& dual, std::span<const std::uint32_t> part_of = {},
-                                           std::uint32_t parts = 0);
+                                           std::uint32_t parts = 0, GradientKind gradient = GradientKind::least_squares);
 
 }  // namespace leonhard::solver

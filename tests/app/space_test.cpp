@@ -94,7 +94,7 @@ TEST_CASE("a_mesh_of_mixed_cells_of_space_is_solved_and_reported") {
   const ScratchFolder scratch;
   scratch.write("channel.su2", channel());
   scratch.write("case.toml", head + boundaries("kind = \"slip-wall\"\n") +
-                                 "[reference]\narea = 2\nmoment_centre = [1.5, 0.5, 0]\n");
+                                 "[reference]\narea = 2\nmoment_centre = [1.5, 0.5, 0]\n[output]\nstations = [0.2, 0.8, 7]\n");
   const auto ran = run("solve case.toml -o out --json", scratch.path());
   CAPTURE(ran.err);
   REQUIRE(ran.exit_code == 0);
@@ -114,6 +114,8 @@ TEST_CASE("a_mesh_of_mixed_cells_of_space_is_solved_and_reported") {
                            "section.png", "cp.png", "history.png"})
     CHECK_MESSAGE(std::filesystem::exists(scratch.path() / "out" / name), name);
   CHECK(text_of(scratch.path() / "out/report.html").find("β = 0°") != std::string::npos);
+  CHECK(text_of(scratch.path() / "out/report.html").find("on planes across the span") != std::string::npos);
+  CHECK(text_of(scratch.path() / "out/report.html").find("<h2>Mass flow</h2>") != std::string::npos);
 
   // The field is that of the mesh's own cells and numbers, and a second run may start from it.
   const auto field = leonhard::io::read_mixed_mesh<3>(scratch.path() / "out/field.vtu");

@@ -23,18 +23,27 @@ std::vector<double> gradients(const EdgePlan<2>& plan, const PerId<VertexId, Sta
   return gradient;
 }
 
-TEST_CASE("least_squares_gradients_are_exact_for_linear_functions") {
+TEST_CASE("gradients_of_both_kinds_are_exact_for_linear_functions_on_triangles") {
   const TriangleMesh mesh = test::shaken_square(12, 0.3, 3);
-  const EdgePlan<2> plan = solver::make_edge_plan<2>(mesh::build_dual(mesh));
-  PerId<VertexId, State<2>> state;
-  for (const Point2 p : mesh.points) state.push_back({2 + 2 * p.x - p.y, 3 * p.y, -p.x + 0.5 * p.y, 7 - p.x});
-  const auto g = gradients(plan, state, LimiterKind::none);
+  PerId<VertexId, State<2>> state, bent;
+  for (const Point2 p : mesh.points) {
+    state.push_back({2 + 2 * p.x - p.y, 3 * p.y, -p.x + 0.5 * p.y, 7 - p.x});
+    bent.push_back({1 + p.x * p.x, p.x * p.y, p.y * p.y, 1});
+  }
   const double by_x[4] = {2, 0, -1, -1}, by_y[4] = {-1, 3, 0.5, 0};
-  for (std::size_t v = 0; v < plan.vertex_count; ++v)
-    for (std::size_t i = 0; i < 4; ++i) {
-      CHECK(std::abs(g[8 * v + i] - by_x[i]) < 1e-12);
-      CHECK(std::abs(g[8 * v + 4 + i] - by_y[i]) < 1e-12);
-    }
+  std::vector<std::vector<double>> of_bent;
+  for (const GradientKind kind : {GradientKind::least_squares, GradientKind::green_gauss}) {
+    const EdgePlan<2> plan = solver::make_edge_plan<2>(mesh::build_dual(mesh), {}, 0, kind);
+    const auto g = gradients(plan, state, LimiterKind::none);
+    of_bent.push_back(gradients(plan, bent, LimiterKind::none));
+    for (std::size_t v = 0; v < plan.vertex_count; ++v)
+      for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(std::abs(g[8 * v + i] - by_x[i]) < 1e-12);
+        CHECK(std::abs(g[8 * v + 4 + i] - by_y[i]) < 1e-12);
+      }
+  }
+  CHECK(std::abs(of_bent[0][8 * 84] - of_bent[1][8 * 84]) > 1e-6);  // in the middle; at the corner both are least squares
+  CHECK(of_bent[0][0] == of_bent[1][0]);
 }
 
 TEST_CASE("barth_jespersen_keeps_values_at_edge_midpoints_within_the_range_of_the_neighbours") {

@@ -255,6 +255,8 @@ TEST_CASE("keys_of_space_are_refused_in_the_plane_and_those_of_the_plane_in_spac
   says(refusal("[flow]\nmach = 1\nbeta_deg = 2\n[[body]]\nnaca = \"0012\"\n"),
        "x.toml:3: flow.beta_deg is given but the flow is one of the plane; remove it");
   says(refusal(minimal + "[reference]\narea = 2\n"), "x.toml:6: reference.area is given but the flow is one of the plane");
+  says(refusal(minimal + "[output]\nstations = [0.5]\n"), "x.toml:6: output.stations is given but the flow is one of the plane");
+  says(refusal(minimal + "[output]\nstations = []\n"), "is not 1 to 12 finite numbers in brackets");
   says(refusal(minimal + "[reference]\nmoment_centre = [0, 0, 0]\n"),
        "x.toml:6: reference.moment_centre = [0, 0, 0] in a flow of the plane; give 2 numbers");
 
