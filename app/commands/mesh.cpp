@@ -31,7 +31,7 @@ struct MeshOptions {
   std::string geometry;
   MesherCase mesher;
   double size = 0, max_area = 0, chord = 0;
-  std::string crossings = "split";
+  std::string crossings;
   bool convex_hull = false;
   BodyCase body;
   FarFieldCase farfield;
@@ -42,6 +42,7 @@ struct MeshInput {
   Case the_case;
   std::optional<Pslg> domain;  ///< none: bodies in a far field
   std::vector<std::string> warnings;
+  bool is_guess = false;  ///< that the domain's points in order are its outline
 };
 
 /// Whether coordinates without a name are those of an airfoil: a long section that begins and ends at its larger x.
@@ -120,6 +121,7 @@ MeshInput read_geometry(const MeshOptions& options) {
     geometry = as_outline(std::move(geometry));
     geometry.warnings.push_back(file.string() +
                                 " was taken for the outline of a domain, its points in order");
+    input.is_guess = true;
   }
   input.warnings = std::move(geometry.warnings);
   input.domain = std::move(geometry.pslg);
@@ -138,7 +140,8 @@ ExitCode mesh(const MeshOptions& options) {
   for (const std::string& warning : warnings) console.warning(warning);
   domain.keep_convex_hull = options.convex_hull;
   MesherCase mesher = options.mesher;
-  mesher.crossings = crossings_named(options.crossings);
+  // An outline that was guessed and crosses itself is none.
+  mesher.crossings = crossings_named(options.crossings, input.is_guess ? delaunay::Crossings::reject : delaunay::Crossings::split);
   const auto meshed = mesh_domain(domain, mesher, options.max_area, signals.token());
   for (const std::string& warning : mesh_warnings(meshed.report, options.mesher)) {
     console.warning(warning);

@@ -23,7 +23,7 @@ namespace {
 
 struct TriangulateCommand {
   CommonOptions common;
-  std::string input, algorithm = "fast", crossings = "split";
+  std::string input, algorithm = "fast", crossings;
   bool convex_hull = false;
 };
 
@@ -31,7 +31,7 @@ delaunay::TriangulateOptions options_of(const TriangulateCommand& command, Conso
                                         const StopOnSignal& signals) {
   delaunay::TriangulateOptions options;
   options.keep_convex_hull = command.convex_hull;
-  options.crossings = crossings_named(command.crossings);
+  options.crossings = crossings_named(command.crossings, delaunay::Crossings::split);
   options.algorithm = delaunay::algorithm_named(command.algorithm).value_or(delaunay::Algorithm::fast);
   options.threads = static_cast<unsigned>(command.common.threads);
   options.seed = command.common.seed;

@@ -14,17 +14,17 @@ namespace leonhard::app {
   std::vector<std::string> names;
   for (const auto& [name, crossings] : delaunay::named_crossings) names.emplace_back(name);
   return {.names = "--crossings",
-          .help = "Segments that cross: a vertex is put there, all are named in an error, or the later ones are left out",
+          .help = "Segments that cross: a vertex is put there (default), all are named in an error, or the later ones are left out",
           .target = target,
-          .shows_default = true,
           .choices = names};
 }
 
-/// name  one of delaunay::named_crossings, as crossings_option lets pass
-[[nodiscard]] inline delaunay::Crossings crossings_named(const std::string& name) {
+/// name     one of delaunay::named_crossings, as crossings_option lets pass, or empty
+/// fallback where the name is empty
+[[nodiscard]] inline delaunay::Crossings crossings_named(const std::string& name, delaunay::Crossings fallback) {
   for (const auto& [known, crossings] : delaunay::named_crossings)
     if (known == name) return crossings;
-  return delaunay::Crossings::split;
+  return fallback;
 }
 
 }  // namespace leonhard::app

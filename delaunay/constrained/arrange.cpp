@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -55,10 +56,12 @@ std::vector<std::uint32_t> order_in_space(const Points& points, const Segments& 
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The pairs of segments that cross, the smaller index first, ascending. Only pairs with a new segment, of which `is_new` has one
-/// entry a segment; all where it is empty.
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+
+/// The pairs of segments that cross, the smaller index first, ascending; not all of them if there are more than `most`.
+/// is_new  one entry a segment: only pairs with a new one are looked for; all where it is empty
 std::vector<Pair> crossing_pairs(const Points& points, const Segments& segments, const std::vector<bool>& is_new,
-                                 const Progress& progress) {
+                                 std::size_t most, const Progress& progress) {
   const std::vector<std::uint32_t> order = order_in_space(points, segments);
   std::vector<mesh::Box2> boxes;
   boxes.reserve(segments.size());
@@ -73,10 +76,10 @@ std::vector<Pair> crossing_pairs(const Points& points, const Segments& segments,
   if (is_new.empty()) {
     tree.for_each_meeting_pair_until([&](std::size_t i, std::size_t j) {
       look_at(order[i], order[j]);
-      return progress.stop_requested();
+      return pairs.size() > most || progress.stop_requested();
     });
   } else {
-    for (std::size_t i = 0; i < order.size() && !progress.stop_requested(); ++i) {
+    for (std::size_t i = 0; i < order.size() && pairs.size() <= most && !progress.stop_requested(); ++i) {
       if (!is_new[order[i]]) continue;
       tree.for_each_meeting(boxes[i], [&](std::size_t j) {
         if (j != i && (j > i || !is_new[order[j]])) look_at(order[i], order[j]);
@@ -188,6 +191,11 @@ Arrangement as_it_is(const Pslg& pslg) {
   return arrangement;
 }
 
+Crossing crossing_at(const Pslg& pslg, std::size_t one, std::size_t other) {
+  const kernel::RoundedPoint2 p = kernel::rounded(crossing_of(pslg.points, pslg.segments[one], pslg.segments[other]));
+  return {one, other, p.point, p.error};
+}
+
 std::string words_of(const Crossing& c) {
   return "segments " + std::to_string(c.one) + " and " + std::to_string(c.other) + " cross at " + mesh::words(c.point);
 }
@@ -197,20 +205,23 @@ std::string words_of(const Crossing& c) {
 std::vector<Crossing> find_crossings(const Pslg& pslg, const Progress& progress) {
   check(pslg);
   std::vector<Crossing> crossings;
-  for (const auto& [i, j] : crossing_pairs(pslg.points, pslg.segments, {}, progress)) {
-    const kernel::RoundedPoint2 p = kernel::rounded(crossing_of(pslg.points, pslg.segments[i], pslg.segments[j]));
-    crossings.push_back({i, j, p.point, p.error});
-  }
+  for (const auto& [i, j] : crossing_pairs(pslg.points, pslg.segments, {}, any_number, progress))
+    crossings.push_back(crossing_at(pslg, i, j));
   return crossings;
 }
 
 Arrangement split_crossings(const Pslg& pslg, const Progress& progress) {
   constexpr int most_rounds = 64;
+  constexpr std::size_t most_split = 5'000'000;
   Arrangement arrangement = as_it_is(pslg);
   std::vector<bool> is_new;
   for (int round = 0; round < most_rounds; ++round) {
     progress("cross", 0);
-    const std::vector<Pair> pairs = crossing_pairs(arrangement.graph.points, arrangement.graph.segments, is_new, progress);
+    const std::vector<Pair> pairs =
+        crossing_pairs(arrangement.graph.points, arrangement.graph.segments, is_new, most_split, progress);
+    if (pairs.size() > most_split)
+      throw InputError(pslg.source, "segments cross more than " + std::to_string(most_split) + " times",
+                       "these are no outlines: look whether the points are in order");
     if (pairs.empty() || progress.stop_requested()) {
       std::ranges::sort(arrangement.crossings, {}, [](const Crossing& c) { return std::tuple(c.one, c.other, c.point); });
       return arrangement;
@@ -228,7 +239,7 @@ Arrangement skip_crossings(const Pslg& pslg, const Progress& progress) {
   arrangement.segment_of.clear();
   std::vector<bool> is_left_out(pslg.segments.size(), false);
   std::vector<Pair> later_first;
-  for (const auto& [i, j] : crossing_pairs(pslg.points, pslg.segments, {}, progress)) later_first.emplace_back(j, i);
+  for (const auto& [i, j] : crossing_pairs(pslg.points, pslg.segments, {}, any_number, progress)) later_first.emplace_back(j, i);
   std::ranges::sort(later_first);
   for (const auto& [later, earlier] : later_first)
     if (!is_left_out[earlier]) is_left_out[later] = true;
@@ -245,11 +256,14 @@ Arrangement skip_crossings(const Pslg& pslg, const Progress& progress) {
 }
 
 void refuse_crossings(const Pslg& pslg, const Progress& progress) {
-  constexpr std::size_t named = 100;
-  const std::vector<Crossing> crossings = find_crossings(pslg, progress);
+  constexpr std::size_t named = 100, counted = 100'000;
+  const std::vector<Pair> pairs = crossing_pairs(pslg.points, pslg.segments, {}, counted, progress);
   std::string problem;
-  for (std::size_t i = 0; i < std::min(named, crossings.size()); ++i) problem += (i == 0 ? "" : ", ") + words_of(crossings[i]);
-  if (crossings.size() > named) problem += " and " + std::to_string(crossings.size() - named) + " more do";
+  for (std::size_t k = 0; k < std::min(named, pairs.size()); ++k)
+    problem += (k == 0 ? "" : ", ") + words_of(crossing_at(pslg, pairs[k].first, pairs[k].second));
+  if (pairs.size() > named)
+    problem += ", and " + std::string(pairs.size() > counted ? "more than " : "") +
+               std::to_string(std::min(pairs.size(), counted) - named) + " more do";
   throw InputError(pslg.source, problem,
                    "make the outlines disjoint, add each crossing as a point that both segments end in, or have them split "
                    "(counted from 0)");

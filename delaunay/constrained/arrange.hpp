@@ -23,7 +23,8 @@ struct Arrangement {
 /// split in turn until none is left. No point of the input moves; a piece is farther from its segment than the errors of the
 /// crossings on it only by those of the rounds before, of which there is one as a rule.
 ///
-/// throws  InputError naming two segments if more rounds are needed than ever seen
+/// throws  InputError if there are more than five million crossings, or, naming two segments, if more rounds are needed than
+///         were ever seen
 /// The points do not depend on the order of the segments.
 /// Method: boxes in a tree, signs by orient2d, the order of the crossings along a segment by their unrounded coordinates.
 [[nodiscard]] Arrangement split_crossings(const Pslg& pslg, const Progress& progress);
@@ -31,7 +32,7 @@ struct Arrangement {
 /// Segments are left out, the later of each two that cross, until none crosses.
 [[nodiscard]] Arrangement skip_crossings(const Pslg& pslg, const Progress& progress);
 
-/// throws  InputError that lists all crossings, the first hundred with their places
+/// throws  InputError that lists all crossings, a hundred with their places
 [[noreturn]] void refuse_crossings(const Pslg& pslg, const Progress& progress);
 
 /// Says in words what was done.
