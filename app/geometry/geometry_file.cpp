@@ -88,11 +88,15 @@ const std::vector<std::string>& any_geometry_extensions() {
 
 GeometryFile read_any_geometry(const std::filesystem::path& path) {
   const std::string extension = io::known_extension(path, any_geometry_extensions(), "points or geometry");
-  if (std::ranges::count(io::pslg_extensions(), extension) > 0) {
+  if (extension == ".poly") {
     GeometryFile file;
     file.pslg = io::read_pslg(path, file.warnings);
-    if (extension != ".poly") find_holes(file.pslg, file.warnings);
     return file;
+  }
+  if (std::ranges::count(io::pslg_extensions(), extension) > 0) {
+    io::EdgeGraphFile edges = io::read_edge_graph(path);
+    find_holes(edges.pslg, edges.outline_segments, edges.warnings);
+    return {std::move(edges.pslg), std::move(edges.warnings)};
   }
   if (extension == ".dat") return geometry_of_airfoils(path);
   if (extension == ".wkt")

@@ -52,20 +52,21 @@ Point2 seed_of(const std::vector<NamedOutline>& outlines, std::size_t hole) {
 
 }  // namespace
 
-std::optional<std::vector<std::vector<std::size_t>>> closed_outlines(const Pslg& pslg) {
+std::optional<std::vector<std::vector<std::size_t>>> closed_outlines(std::span<const Pslg::Segment> segments,
+                                                                     std::size_t points) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::array<std::size_t, 2>> neighbours(pslg.points.size(), {none, none});
+  std::vector<std::array<std::size_t, 2>> neighbours(points, {none, none});
   const auto join = [&](std::size_t a, std::size_t b) {
     const auto place = std::ranges::find(neighbours[a], none);
     if (place == neighbours[a].end()) return false;
     *place = b;
     return true;
   };
-  for (const Pslg::Segment& segment : pslg.segments)
+  for (const Pslg::Segment& segment : segments)
     if (!join(segment.from, segment.to) || !join(segment.to, segment.from)) return std::nullopt;
-  std::vector<char> seen(pslg.points.size(), 0);
+  std::vector<char> seen(points, 0);
   std::vector<std::vector<std::size_t>> outlines;
-  for (std::size_t start = 0; start < pslg.points.size(); ++start) {
+  for (std::size_t start = 0; start < points; ++start) {
     if (seen[start] != 0 || neighbours[start][0] == none) continue;
     std::vector<std::size_t>& outline = outlines.emplace_back();
     for (std::size_t at = start, from = neighbours[start][1]; seen[at] == 0;) {
@@ -78,8 +79,8 @@ std::optional<std::vector<std::vector<std::size_t>>> closed_outlines(const Pslg&
   return outlines;
 }
 
-void find_holes(Pslg& pslg, std::vector<std::string>& warnings) {
-  const auto chains = closed_outlines(pslg);
+void find_holes(Pslg& pslg, std::size_t outline_segments, std::vector<std::string>& warnings) {
+  const auto chains = closed_outlines(std::span(pslg.segments).first(outline_segments), pslg.points.size());
   if (!chains) {
     warnings.push_back(
         pslg.source +

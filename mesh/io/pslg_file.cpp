@@ -37,6 +37,7 @@ class EdgeGraph {
     if (!known_.insert(std::minmax(from, to)).second) return;
     pslg_.segments.push_back({from, to, marker});
   }
+  [[nodiscard]] std::size_t segment_count() const { return pslg_.segments.size(); }
   [[nodiscard]] Pslg finish() && { return std::move(pslg_); }
 
  private:
@@ -54,31 +55,18 @@ class EdgeGraph {
   Pslg pslg_;
 };
 
-Pslg graph_of(const MixedMesh<2>& mesh, const std::string& source) {
+EdgeGraphFile graph_of(const MixedMesh<2>& mesh, const std::string& source) {
   EdgeGraph graph(mesh.points);
-  for (const auto* edges : {&mesh.boundary, &mesh.inner_facets})
-    for (const auto& edge : *edges) graph.add(edge.corners, edge.marker);
-  Pslg pslg = std::move(graph).finish();
-  if (pslg.segments.empty())
+  for (const auto& edge : mesh.boundary) graph.add(edge.corners, edge.marker);
+  EdgeGraphFile file;
+  file.outline_segments = graph.segment_count();
+  for (const auto& edge : mesh.inner_facets) graph.add(edge.corners, edge.marker);
+  file.pslg = std::move(graph).finish();
+  if (file.pslg.segments.empty())
     throw InputError(source, "the file has no edges", "give a mesh of the plane, or the edges of an outline");
-  pslg.marker_names = mesh.marker_names;
-  pslg.source = source;
-  return pslg;
-}
-
-/// The edges of a .msh or .mesh.
-Pslg read_edges(const std::filesystem::path& path, std::vector<std::string>& warnings) {
-  MeshSoup<2> soup = read_soup<2>(path, {});
-  if (soup.mesh.kinds.empty()) {
-    check_corners_and_places(soup);
-    warnings.insert(warnings.end(), soup.warnings.begin(), soup.warnings.end());
-    return graph_of(soup.mesh, path.string());
-  }
-  const MixedMeshFile<2> file = assemble_mixed(std::move(soup));
-  warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
-  if (std::ranges::any_of(file.mesh.regions, [](double region) { return region != 0; }))
-    warnings.push_back("the regions of its cells are not carried to the graph of its edges");
-  return graph_of(file.mesh, path.string());
+  file.pslg.marker_names = mesh.marker_names;
+  file.pslg.source = source;
+  return file;
 }
 
 }  // namespace
@@ -88,13 +76,34 @@ const std::vector<std::string>& pslg_extensions() {
   return known;
 }
 
+EdgeGraphFile read_edge_graph(const std::filesystem::path& path) {
+  known_extension(path, {".msh", ".mesh"}, "mesh");
+  MeshSoup<2> soup = read_soup<2>(path, {});
+  if (soup.mesh.kinds.empty()) {
+    check_corners_and_places(soup);
+    EdgeGraphFile file = graph_of(soup.mesh, path.string());
+    file.warnings = std::move(soup.warnings);
+    return file;
+  }
+  MixedMeshFile<2> mesh = assemble_mixed(std::move(soup));
+  EdgeGraphFile file = graph_of(mesh.mesh, path.string());
+  file.warnings = std::move(mesh.warnings);
+  if (std::ranges::any_of(mesh.mesh.regions, [](double region) { return region != 0; }))
+    file.warnings.push_back("the regions of its cells are not carried to the graph of its edges");
+  return file;
+}
+
 Pslg read_pslg(const std::filesystem::path& path) {
   std::vector<std::string> warnings;
   return read_pslg(path, warnings);
 }
 
 Pslg read_pslg(const std::filesystem::path& path, std::vector<std::string>& warnings) {
-  if (known_extension(path, pslg_extensions(), "geometry") != ".poly") return read_edges(path, warnings);
+  if (known_extension(path, pslg_extensions(), "geometry") != ".poly") {
+    EdgeGraphFile file = read_edge_graph(path);
+    warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+    return std::move(file.pslg);
+  }
   const std::string poly = read_whole_file(path);
   std::filesystem::path node_path = path;
   node_path.replace_extension(".node");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,6 +21,17 @@ namespace leonhard::io {
 
 /// The same, and in words what was left out or mended.
 [[nodiscard]] Pslg read_pslg(const std::filesystem::path& path, std::vector<std::string>& warnings);
+
+/// The edges of a .msh or .mesh as read_pslg gives them.
+struct EdgeGraphFile {
+  Pslg pslg;
+  std::size_t outline_segments =
+      0;  ///< the first ones bound the domain: those of a mesh's boundary, of edges alone all
+  std::vector<std::string> warnings;
+};
+
+/// throws  InputError as read_pslg does
+[[nodiscard]] EdgeGraphFile read_edge_graph(const std::filesystem::path& path);
 
 /// ".poly", ".msh", ".mesh": what read_pslg knows.
 [[nodiscard]] const std::vector<std::string>& pslg_extensions();

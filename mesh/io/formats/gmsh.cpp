@@ -335,7 +335,8 @@ std::string format_gmsh_surface(const SurfaceFile& surface) {
   for (std::size_t i = 0; i < surface.polygon_count(); ++i) {
     const auto polygon = surface.polygon(i);
     if (polygon.size() != 3 && polygon.size() != 4)
-      throw InputError("polygon " + std::to_string(i), "it has " + std::to_string(polygon.size()) + " corners",
+      throw InputError("polygon " + std::to_string(i),
+                       "it has " + std::to_string(polygon.size()) + " corners",
                        "a .msh of ours has triangles and quadrilaterals; write .off, .obj, .ply or .stl");
     auto& list = polygon.size() == 3 ? data.triangles : data.quadrilaterals;
     list.push_back(cell_of(polygon, surface.markers.empty() ? 0 : checked_group(surface.markers[i])));

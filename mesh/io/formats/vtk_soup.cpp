@@ -40,6 +40,15 @@ Marker as_marker(const VtkNumbers& array, double value, const std::string& sourc
   return static_cast<Marker>(value);
 }
 
+double as_region(const VtkNumbers& array, double value, const std::string& source) {
+  if (!std::isfinite(value))
+    throw InputError(
+        array.line == 0 ? source : at_line(source, array.line),
+        "the array " + in_quotes(array.name) + " holds " + mesh::words(value) + ", which is no region",
+        "number regions with finite numbers, or give the array another name");
+  return value;
+}
+
 template <int Dim>
 class VtkSoupMaker {
  public:
@@ -141,7 +150,8 @@ class VtkSoupMaker {
   void add(std::size_t c, std::span<const VertexId> corners, std::optional<CellKind> kind, int dimension) {
     if (dimension == Dim) {
       const CellId cell = soup_.mesh.add_cell(*kind, corners);
-      if (regions_ != nullptr) soup_.mesh.regions[cell] = regions_->values[c];
+      if (regions_ != nullptr)
+        soup_.mesh.regions[cell] = as_region(*regions_, regions_->values[c], soup_.source);
       cell_rows_.push_back(c);
     } else if (dimension == Dim - 1) {
       has_unmarked_facets_ = has_unmarked_facets_ || markers_ == nullptr;

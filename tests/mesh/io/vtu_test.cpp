@@ -120,6 +120,13 @@ TEST_CASE("vtu_has_marked_edges_as_cells_that_other_programs_see") {
   CHECK(back.cell_fields[0] == fields[0]);
 }
 
+TEST_CASE("vtu_regions_that_are_not_finite_are_refused") {
+  TriangleMesh mesh = grid_with_everything();
+  mesh.regions[TriangleId{0}] = NAN;
+  CHECK(refusal([&] { (void)parse(io::format_vtu(mesh)); }).find("\"region\" holds nan") !=
+        std::string::npos);
+}
+
 TEST_CASE("vtu_round_trip_keeps_everything_with_fields_beside_it") {
   const TriangleMesh mesh = grid_with_everything();
   const std::vector<double> twos(2 * mesh.vertex_count(), 0.5), ones(mesh.vertex_count(), NAN);
