@@ -200,6 +200,16 @@ std::string words_of(const Crossing& c) {
   return "segments " + std::to_string(c.one) + " and " + std::to_string(c.other) + " cross at " + mesh::words(c.point);
 }
 
+/// With the ends of both.
+std::string words_of(const Pslg& pslg, const Crossing& c) {
+  const auto name = [&](std::size_t i) {
+    const Pslg::Segment& s = pslg.segments[i];
+    return "segment " + std::to_string(i) + " (point " + std::to_string(s.from) + " at " + mesh::words(pslg.points[s.from]) +
+           " to point " + std::to_string(s.to) + " at " + mesh::words(pslg.points[s.to]) + ")";
+  };
+  return name(c.one) + " and " + name(c.other) + " cross at " + mesh::words(c.point);
+}
+
 }  // namespace
 
 std::vector<Crossing> find_crossings(const Pslg& pslg, const Progress& progress) {
@@ -260,7 +270,7 @@ void refuse_crossings(const Pslg& pslg, const Progress& progress) {
   const std::vector<Pair> pairs = crossing_pairs(pslg.points, pslg.segments, {}, counted, progress);
   std::string problem;
   for (std::size_t k = 0; k < std::min(named, pairs.size()); ++k)
-    problem += (k == 0 ? "" : ", ") + words_of(crossing_at(pslg, pairs[k].first, pairs[k].second));
+    problem += (k == 0 ? "" : ", ") + words_of(pslg, crossing_at(pslg, pairs[k].first, pairs[k].second));
   if (pairs.size() > named)
     problem += ", and " + std::string(pairs.size() > counted ? "more than " : "") +
                std::to_string(std::min(pairs.size(), counted) - named) + " more do";

@@ -88,6 +88,26 @@ TEST_CASE("a_graph_is_carved_to_its_segments_unless_the_hull_is_kept") {
   CHECK(report_of(run("triangulate corner.poly --convex-hull --json", scratch.path()))["area"] == 3.5);
 }
 
+TEST_CASE("segments_that_cross_are_split_unless_the_user_says_otherwise") {
+  const ScratchFolder scratch;
+  scratch.write("bow.poly", "4 2 0 0\n0 0 0\n1 2 2\n2 2 0\n3 0 2\n4 1\n0 0 1 1\n1 1 2 2\n2 2 3 3\n3 3 0 4\n0\n");
+  scratch.write("bow.xy", "0 0\n2 2\n2 0\n0 2\n");
+  for (const std::string command : {"triangulate bow.poly --json", "mesh bow.poly --min-angle 0 --json"}) {
+    CAPTURE(command);
+    const json report = report_of(run(command, scratch.path()));
+    CHECK(report["area"] == 2.0);
+    CHECK(holds(report["warnings"].dump(), "segments 0 and 2 cross at (1, 1): a point was added there"));
+    const Ran refused = run(command + " --crossings reject -o no.su2", scratch.path());
+    CHECK(refused.exit_code == 2);
+    CHECK(holds(refused.err, "segment 0 (point 0 at (0, 0) to point 1 at (2, 2)) and segment 2"));
+    CHECK_FALSE(std::filesystem::exists(scratch.path() / "no.su2"));
+  }
+  CHECK(report_of(run("triangulate bow.poly --crossings skip --convex-hull --json", scratch.path()))["area"] == 4.0);
+  CHECK(report_of(run("check bow.poly --json", scratch.path()))["crossings"] == 1);
+  CHECK(run("mesh bow.xy", scratch.path()).exit_code == 2);  // points in order that cross are no outline
+  CHECK(run("mesh bow.xy --crossings split", scratch.path()).exit_code == 0);
+}
+
 TEST_CASE("points_without_triangles_are_code_3_with_words_and_no_file") {
   const ScratchFolder scratch;
   scratch.write("line.xy", "0 0\n1 1\n2 2\n1 1\n");
