@@ -26,8 +26,8 @@ struct RefineOptions {
   double min_edge = 0;                    ///< add no vertex closer than this to another one
   /// Keep the convex hull although no segment bounds it (its edges then act as segments).
   bool keep_convex_hull = false;
-  Crossings crossings = Crossings::reject;
   Progress progress{};
+  Crossings crossings = Crossings::reject;
 };
 
 enum class RefineOutcome {

@@ -21,11 +21,11 @@ struct TriangulateOptions {
   /// Keep the whole convex hull. Otherwise, where there are segments, all that can be reached from outside
   /// without crossing a segment is carved away. Holes are carved in both cases.
   bool keep_convex_hull = false;
-  Crossings crossings = Crossings::reject;
   Progress progress{};
   Algorithm algorithm = Algorithm::fast;  ///< the mesh does not depend on it
   unsigned threads = 1;                   ///< 0: as many as there are cores; the mesh does not depend on it
   std::uint64_t seed = 1;                 ///< of randomised algorithms; the mesh does not depend on it
+  Crossings crossings = Crossings::reject;
 };
 
 struct [[nodiscard]] Triangulation {

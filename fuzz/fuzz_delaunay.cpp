@@ -3,11 +3,13 @@
 // doubles: triangulate, constrain and refine with a small budget, and check every answer with the public
 // validators. A graph may be refused with an InputError; whatever is returned must be valid.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fuzz/fuzz_input.hpp"
 #include "leonhard/delaunay/refine.hpp"
@@ -31,7 +33,7 @@ bool cross(const Pslg& pslg, const Pslg::Segment& s, const Pslg::Segment& t) {
          side(t, s.from) * side(t, s.to) == Sign::negative;
 }
 
-/// Some graphs keep crossing segments, to be refused; from others they are left out.
+/// Some graphs keep crossing segments, to be refused or mended; from others they are left out.
 Pslg graph_from(fuzzing::Input& in) {
   Pslg pslg;
   const unsigned kind =
@@ -39,7 +41,7 @@ Pslg graph_from(fuzzing::Input& in) {
   const unsigned grid = 2 + in.take<std::uint8_t>() % 14;
   const std::size_t points = 3 + in.take<std::uint8_t>() % 40, segments = in.take<std::uint8_t>() % 64;
   const unsigned seeds = in.take<std::uint8_t>() % 8;
-  const bool crossing = in.take<std::uint8_t>() % 8 == 0;
+  const bool crossing = in.take<std::uint8_t>() % 4 == 0;
   const auto byte_below = [&](std::size_t bound) { return in.take<std::uint8_t>() % bound; };
   const auto grid_point = [&] {
     const double x = static_cast<double>(byte_below(grid));
@@ -94,28 +96,59 @@ Pslg reversed(Pslg pslg) {
   return pslg;
 }
 
-void check_triangulation(const Pslg& pslg, bool keep_convex_hull) {
-  const delaunay::Triangulation one = delaunay::triangulate(pslg, {keep_convex_hull, {}});
+/// Whether the pieces of each segment add up to its length, as far as rounding tells, where segments share none and nothing is
+/// carved away.
+bool has_all_segments(const delaunay::Triangulation& result, const Pslg& pslg) {
+  std::vector<double> length(pslg.segments.size(), 0.0);
+  const auto add = [&](const std::vector<MarkedEdge>& edges, const std::vector<MaybeId<delaunay::SegmentId>>& segments) {
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      if (segments[i]) length[(*segments[i]).index()] += distance(result.mesh.points[edges[i].from], result.mesh.points[edges[i].to]);
+  };
+  add(result.mesh.boundary, result.segments.boundary);
+  add(result.mesh.constraints, result.segments.constraints);
+  for (std::size_t i = 0; i < length.size(); ++i) {
+    const double whole = distance(pslg.points[pslg.segments[i].from], pslg.points[pslg.segments[i].to]);
+    if (std::abs(length[i] - whole) > 1e-9 * (1 + whole)) return false;
+  }
+  return true;
+}
+
+bool notes_overlaps(const delaunay::Triangulation& result) {
+  return std::ranges::any_of(result.repairs, [](const std::string& words) { return words.find("overlap") != std::string::npos; });
+}
+
+bool is_on_small_grid(const Pslg& pslg) {
+  return std::ranges::all_of(pslg.points, [](Point2 p) { return std::abs(p.x) <= 64 && std::abs(p.y) <= 64; });
+}
+
+void check_triangulation(const Pslg& pslg, const delaunay::TriangulateOptions& options) {
+  const delaunay::Triangulation one = delaunay::triangulate(pslg, options);
   check(one.mesh, pslg);
-  const delaunay::Triangulation other = delaunay::triangulate(reversed(pslg), {keep_convex_hull, {}});
+  if (options.crossings == delaunay::Crossings::split && options.keep_convex_hull && pslg.holes.empty() && is_on_small_grid(pslg) &&
+      one.outcome == delaunay::TriangulateOutcome::done && !notes_overlaps(one))
+    require(has_all_segments(one, pslg), pslg, "a segment is not in the mesh");
+  if (options.crossings == delaunay::Crossings::skip) return;  // which are left out depends on their order
+  const delaunay::Triangulation other = delaunay::triangulate(reversed(pslg), options);
   require(one.outcome == other.outcome && mesh::fingerprint(one.mesh) == mesh::fingerprint(other.mesh), pslg,
           "the reversed graph has another triangulation");
 }
 
-void check_refinement(const Pslg& pslg, double min_angle_deg, bool keep_convex_hull) {
+void check_refinement(const Pslg& pslg, double min_angle_deg, const delaunay::TriangulateOptions& as) {
   delaunay::RefineOptions options;
   options.min_angle_deg = min_angle_deg;
   options.max_vertices = 400;
-  options.keep_convex_hull = keep_convex_hull;
+  options.keep_convex_hull = as.keep_convex_hull;
+  options.crossings = as.crossings;
   const delaunay::RefinedMesh one = delaunay::mesh_pslg(pslg, options);
   check(one.mesh, pslg);
   const delaunay::RefineReport& report = one.report;
   require(report.outcome != delaunay::RefineOutcome::achieved || report.below_angle + report.above_size == 0,
           pslg, "achieved, yet bounds are unmet");
+  if (as.crossings == delaunay::Crossings::skip) return;
   const delaunay::RefinedMesh other = delaunay::mesh_pslg(reversed(pslg), options);
   require(mesh::fingerprint(one.mesh) == mesh::fingerprint(other.mesh), pslg,
           "the reversed graph has another mesh");
-  const delaunay::Triangulation coarse = delaunay::triangulate(pslg, {keep_convex_hull, {}});
+  const delaunay::Triangulation coarse = delaunay::triangulate(pslg, as);
   require(report.rounded_splits > 0 || mesh::exact_area2(coarse.mesh) == mesh::exact_area2(one.mesh), pslg,
           "refinement changed the area");
 }
@@ -124,16 +157,19 @@ void check_refinement(const Pslg& pslg, double min_angle_deg, bool keep_convex_h
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzzing::Input in(data, size);
-  const bool keep_convex_hull = in.take<std::uint8_t>() % 2 == 1;
+  const unsigned ways = in.take<std::uint8_t>();
+  delaunay::TriangulateOptions options;
+  options.keep_convex_hull = ways % 2 == 1;
+  options.crossings = delaunay::named_crossings[ways / 2 % delaunay::named_crossings.size()].second;
   const double min_angle_deg = in.take<std::uint8_t>() % 36;
   const Pslg pslg = graph_from(in);
   try {
-    check_triangulation(pslg, keep_convex_hull);
+    check_triangulation(pslg, options);
   } catch (const InputError&) {
     return 0;
   }
   try {
-    check_refinement(pslg, min_angle_deg, keep_convex_hull);
+    check_refinement(pslg, min_angle_deg, options);
   } catch (const InputError&) {
   }
   return 0;

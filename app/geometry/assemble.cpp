@@ -54,10 +54,12 @@ AirfoilCoordinates element_of(const BodyCase& body) {
 }
 
 /// The body's curve where it will lie.
-OutlineCurve placed_curve(const BodyCase& body) {
+/// warnings  those of its file are added
+OutlineCurve placed_curve(const BodyCase& body, std::vector<std::string>& warnings) {
   const Placement placement{body.scale, body.rotation_deg, body.translation};
   if (!body.naca.empty()) return place(Naca4(body.naca, body.trailing_edge, body.where).outline(), placement);
   const AirfoilCoordinates airfoil = element_of(body);
+  warnings.insert(warnings.end(), airfoil.warnings.begin(), airfoil.warnings.end());
   check_outline({body.name, body.file.string(), airfoil.points});
   if (airfoil.points.size() < 4)
     throw InputError(body.file.string(),
@@ -66,11 +68,11 @@ OutlineCurve placed_curve(const BodyCase& body) {
   return place(spline_outline(airfoil.points, airfoil.blunt_trailing_edge, body.corner_angle_deg), placement);
 }
 
-NamedOutline outline_of(const BodyCase& body, double chord) {
+NamedOutline outline_of(const BodyCase& body, double chord, std::vector<std::string>& warnings) {
   const OutlineSpacing spacing{.elsewhere = body.spacing * chord,
                                .leading_edge = body.leading_edge_spacing * chord,
                                .trailing_edge = body.trailing_edge_spacing * chord};
-  return {body.name, body.where, distribute(placed_curve(body), spacing)};
+  return {body.name, body.where, distribute(placed_curve(body, warnings), spacing)};
 }
 
 /// Put an outline's points on the grid, counter-clockwise.
@@ -118,15 +120,15 @@ void check_edge_count(const Case& c, double radius, double spacing) {
 
 DomainGeometry domain_about_bodies(const Case& c) {
   const double chord = c.reference.length;
+  DomainGeometry domain;
   std::vector<NamedOutline> bodies;
-  for (const BodyCase& body : c.bodies) bodies.push_back(outline_of(body, chord));
+  for (const BodyCase& body : c.bodies) bodies.push_back(outline_of(body, chord, domain.warnings));
   Box box = box_of(bodies.front().points);
   for (const NamedOutline& body : bodies) {
     const Box other = box_of(body.points);
     box.include(other.low);
     box.include(other.high);
   }
-  DomainGeometry domain;
   domain.body_extent = box.extent();
   domain.centre = c.farfield.centre.value_or(box.centre());
   domain.growth = c.mesher.growth;

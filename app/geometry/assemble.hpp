@@ -25,6 +25,7 @@ struct DomainGeometry {
   double max_size = std::numeric_limits<double>::infinity();  ///< of an edge, anywhere
   bool keep_convex_hull = false;                              ///< nothing outside the segments is carved away
 
+  std::vector<std::string> warnings;  ///< what the readers of the bodies' files mended or left out
   std::vector<std::string> body_names;        ///< body i has marker i + 1
   std::vector<std::vector<Point2>> outlines;  ///< of each body, counter-clockwise, as in pslg
   Point2 centre;                              ///< of the far field and of the bodies' box

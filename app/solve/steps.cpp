@@ -27,7 +27,9 @@ namespace {
 void mesh_the_domain(SolveRun& run, std::stop_token stop) {
   auto refined = mesh_domain(*run.geometry, run.the_case.mesher, -1, stop);
   if (refined.report.outcome == delaunay::RefineOutcome::stopped) throw StoppedEarly{"while meshing"};
-  run.warnings = mesh_warnings(refined.report, run.the_case.mesher);
+  run.warnings = run.geometry->warnings;
+  const std::vector<std::string> of_mesher = mesh_warnings(refined.report, run.the_case.mesher);
+  run.warnings.insert(run.warnings.end(), of_mesher.begin(), of_mesher.end());
   run.mesh = std::move(refined.mesh);
   run.refinement = std::move(refined.report);
 }

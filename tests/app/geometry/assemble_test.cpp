@@ -165,6 +165,10 @@ TEST_CASE("an_airfoil_file_is_resampled_and_its_faults_are_named") {
   const DomainGeometry domain = make("good.dat", "corner_angle_deg = 5\n");
   CHECK(domain.outlines[0].size() > 200);
   CHECK(rounded_area2(domain.outlines[0]) == doctest::Approx(0.1).scale(0).epsilon(1e-9));
+  folder.write("twice.dat", diamond + "1 0\n");
+  REQUIRE(make("twice.dat", "").warnings.size() == 1);
+  has(make("twice.dat", "").warnings[0], "twice.dat");
+  CHECK(domain.warnings.empty());
   folder.write("crossed.dat", "crossed\n1 0\n0.5 0.05\n0.2 -0.04\n0 0\n0.2 0.04\n0.5 -0.05\n1 0\n");
   has(input_error_of([&] { return make("crossed.dat", ""); }), "crossed.dat");
   folder.write("few.dat", "few\n1 0\n0 0.1\n1 0\n");
