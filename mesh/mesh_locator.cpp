@@ -12,9 +12,9 @@
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/mesh/box_tree.hpp"
 #include "leonhard/mesh/structures/barycentric.hpp"
 #include "leonhard/mesh/structures/boundary_cells.hpp"
-#include "leonhard/mesh/structures/box_tree.hpp"
 #include "leonhard/mesh/structures/nearest_on_facet.hpp"
 #include "leonhard/mesh/words.hpp"
 

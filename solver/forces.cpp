@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "leonhard/solver/support/axes.hpp"
+#include "leonhard/solver/axes.hpp"
 #include "leonhard/solver/sweep/boundary.hpp"
 
 namespace leonhard::solver {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "leonhard/solver/support/axes.hpp"
+#include "leonhard/solver/axes.hpp"
 
 namespace leonhard::solver {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/detail/abi_macros.hpp>
 #include <vector>
 
-#include "leonhard/solver/support/axes.hpp"
+#include "leonhard/solver/axes.hpp"
 
 namespace leonhard::app {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "leonhard/app/console.hpp"
 #include "leonhard/app/solve/initial_field.hpp"
+#include "leonhard/solver/axes.hpp"
 #include "leonhard/solver/periodic.hpp"
-#include "leonhard/solver/support/axes.hpp"
 
 namespace leonhard::app {
 namespace {

@@ -17,7 +17,7 @@
 #include "leonhard/kernel/implicit_point.hpp"
 #include "leonhard/kernel/input_error.hpp"
 #include "leonhard/kernel/predicates.hpp"
-#include "leonhard/mesh/structures/box_tree.hpp"
+#include "leonhard/mesh/box_tree.hpp"
 #include "leonhard/mesh/words.hpp"
 
 namespace leonhard::delaunay {

@@ -7,11 +7,11 @@
 
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/predicates3.hpp"
+#include "leonhard/mesh/box_tree.hpp"
 #include "leonhard/mesh/check/invariants.hpp"
 #include "leonhard/mesh/check/triangle_contact.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/structures/boundary_sides.hpp"
-#include "leonhard/mesh/structures/box_tree.hpp"
 #include "leonhard/mesh/validate.hpp"
 #include "leonhard/mesh/words.hpp"
 

@@ -8,10 +8,10 @@
 
 #include "leonhard/kernel/hilbert.hpp"
 #include "leonhard/kernel/predicates.hpp"
+#include "leonhard/mesh/box_tree.hpp"
 #include "leonhard/mesh/check/triangle_contact.hpp"
 #include "leonhard/mesh/disjoint_sets.hpp"
 #include "leonhard/mesh/io/soup/places.hpp"
-#include "leonhard/mesh/structures/box_tree.hpp"
 
 namespace leonhard::io {
 namespace {

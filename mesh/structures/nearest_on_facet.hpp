@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "leonhard/kernel/point.hpp"
-#include "leonhard/mesh/structures/box_tree.hpp"
+#include "leonhard/mesh/box_tree.hpp"
 
 namespace leonhard::mesh {
 

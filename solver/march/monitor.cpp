@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "leonhard/solver/support/axes.hpp"
+#include "leonhard/solver/axes.hpp"
 
 namespace leonhard::solver {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "leonhard/solver/axes.hpp"
 #include "leonhard/solver/flux/roe.hpp"
 #include "leonhard/solver/flux/viscous.hpp"
-#include "leonhard/solver/support/axes.hpp"
 #include "leonhard/solver/support/dual_number.hpp"
 
 namespace leonhard::solver {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "leonhard/graph/partition.hpp"
-#include "leonhard/solver/support/axes.hpp"
+#include "leonhard/solver/axes.hpp"
 #include "leonhard/solver/sweep/pseudo_inverse.hpp"
 
 namespace leonhard::solver {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "leonhard/solver/support/axes.hpp"
+#include "leonhard/solver/axes.hpp"
 
 namespace leonhard::solver {
 namespace {

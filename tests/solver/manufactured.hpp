@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "leonhard/solver/axes.hpp"
 #include "leonhard/solver/flux/viscous.hpp"
 #include "leonhard/solver/problem.hpp"
-#include "leonhard/solver/support/axes.hpp"
 
 // A smooth field and the source that makes it a solution (P. J. Roache, Journal of Fluids Engineering 124, 2002).
 
