@@ -139,7 +139,7 @@ TEST_CASE("explicit_stages_give_the_forces_of_the_implicit_march_in_transonic_fl
     CHECK_MESSAGE((result.verdict == Verdict::converged || result.verdict == Verdict::settled), result.words);
     return result.forces;
   };
-  const Forces one = forces(Marching::implicit_ptc, 10), other = forces(Marching::explicit_multistage, 5);
+  const Forces one = forces(Marching::implicit_ptc, 10), other = forces(Marching::explicit_multistage, 4);
   CHECK(one.cl == doctest::Approx(other.cl).epsilon(2e-3).scale(0));
   CHECK(one.cd == doctest::Approx(other.cd).epsilon(2e-3).scale(0));
 }
