@@ -46,4 +46,4 @@ if ! $python -c "import numpy" 2>/dev/null; then
 fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-$python -W ignore tests/interop/interop.py "$program" "$scratch" "${there[@]}"
+$python -B -W ignore tests/interop/interop.py "$program" "$scratch" "${there[@]}"
