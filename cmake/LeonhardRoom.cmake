@@ -47,7 +47,7 @@ endfunction()
 
 # What the rooms and the program read of the standard library, compiled once for all of them: a seventh of the time to compile the
 # release preset. Sources whose options do not agree with it read it themselves; so does all with
-# CMAKE_DISABLE_PRECOMPILE_HEADERS, which shows that each source includes what it uses.
+# CMAKE_DISABLE_PRECOMPILE_HEADERS, which shows that what the sources of a folder include is enough.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/standard_headers.cpp CONTENT "")
 add_library(leonhard_standard_headers OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/standard_headers.cpp)
 leonhard_flags(leonhard_standard_headers)

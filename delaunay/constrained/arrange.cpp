@@ -274,6 +274,7 @@ void refuse_crossings(const Pslg& pslg, const Progress& progress) {
   if (pairs.size() > named)
     problem += ", and " + std::string(pairs.size() > counted ? "more than " : "") +
                std::to_string(std::min(pairs.size(), counted) - named) + " more do";
+  if (pairs.empty()) problem = "segments cross";  // a stop was requested while they were looked for
   throw InputError(pslg.source, problem,
                    "make the outlines disjoint, add each crossing as a point that both segments end in, or have them split "
                    "(counted from 0)");

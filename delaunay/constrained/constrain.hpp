@@ -32,7 +32,7 @@ struct InsertedSegments {
 /// Cost: the edges each segment crosses, typically linear, at worst squared.
 /// Method: crossed edges are flipped until none crosses (Sloan, Computers & Structures 47, 1993), then Lawson's flips
 /// restore the constrained Delaunay property (Lee and Lin 1986); ties by incircle_perturbed make it unique.
-InsertedSegments insert_segments(ConstrainedTriangulation& in, const Pslg& pslg,
-                                         const std::vector<VertexId>& vertex_of, const Progress& progress);
+InsertedSegments insert_segments(ConstrainedTriangulation& in, const Pslg& pslg, const std::vector<VertexId>& vertex_of,
+                                 const Progress& progress);
 
 }  // namespace leonhard::delaunay

@@ -162,13 +162,10 @@ void check(const Pslg& pslg) {
 }
 
 void note_duplicates(const Pslg& pslg, const SortedPoints& sorted, std::vector<std::string>& repairs) {
-  std::size_t merged = 0, first_merged = 0;
-  for (std::size_t k = pslg.points.size(); k-- > 0;) {
-    if (sorted.first_input[sorted.sorted_index[k]] == k) continue;
-    ++merged;
-    first_merged = k;
-  }
+  const std::size_t merged = pslg.points.size() - sorted.first_input.size();
   if (merged > 0) {
+    std::size_t first_merged = 0;
+    while (sorted.first_input[sorted.sorted_index[first_merged]] == first_merged) ++first_merged;
     repairs.push_back(
         std::to_string(merged) + " points merged with others at the same place, the first of them point " +
         std::to_string(first_merged) + " with point " + std::to_string(sorted.first_input[sorted.sorted_index[first_merged]]) +
@@ -235,7 +232,7 @@ Domain make_domain(const Pslg& pslg, bool keep_convex_hull, Crossings crossings,
     note_crossings(arrangement, domain.repairs);
     domain.arrangement = std::move(arrangement);
     if (domain.outcome == TriangulateOutcome::done) inserted = insert_all(domain, domain.arrangement->graph, options.progress);
-    assert(!inserted.some_cross);
+    assert(!inserted.some_cross || options.progress.stop_requested());
   }
   note_overlaps(inserted.overlaps, domain);
   if (options.progress.stop_requested()) {

@@ -28,8 +28,6 @@ struct Domain {
 void check(const Pslg& pslg);
 
 /// Say in words how many points were merged and how many segments had no length.
-///
-/// sorted  of the graph's points, and of others behind them
 void note_duplicates(const Pslg& pslg, const SortedPoints& sorted, std::vector<std::string>& repairs);
 
 /// The mesh's vertices take the markers of their points; of several at one place the first that is not 0.

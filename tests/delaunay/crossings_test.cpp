@@ -12,7 +12,9 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -221,6 +223,19 @@ TEST_CASE("of_two_segments_that_cross_the_later_one_is_left_out") {
       if (s) there.push_back((*s).index());
   std::ranges::sort(there);
   CHECK(there == std::vector<std::size_t>{0, 2});
+}
+
+TEST_CASE("a_stop_while_crossings_are_looked_for_is_an_outcome") {
+  std::mt19937_64 random(9);
+  std::stop_source stop;
+  TriangulateOptions options = whole_hull(Crossings::split);
+  options.progress.stop = stop.get_token();
+  options.progress.report = [&](std::string_view stage, double) {
+    if (stage == "cross") stop.request_stop();
+  };
+  const Triangulation result = triangulate(real_soup(random, 60), options);
+  CHECK(stop.stop_requested());
+  CHECK(result.outcome == TriangulateOutcome::stopped);
 }
 
 TEST_CASE("a_pentagram_is_meshed_with_its_crossings_as_vertices") {

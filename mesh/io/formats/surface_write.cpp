@@ -65,6 +65,14 @@ std::array<std::vector<std::size_t>, 2> triangles_and_quadrilaterals(const Surfa
   return lists;
 }
 
+void append_polygons(SurfaceText& text, const SurfaceFile& surface) {
+  for (std::size_t i = 0; i < surface.polygon_count(); ++i) {
+    text << surface.polygon(i).size();
+    for (const VertexId v : surface.polygon(i)) text << v.index();
+    text.end_line();
+  }
+}
+
 }  // namespace
 
 std::string format_off(const SurfaceFile& surface) {
@@ -74,11 +82,7 @@ std::string format_off(const SurfaceFile& surface) {
   text << surface.set.points.size() << surface.polygon_count() << 0;
   text.end_line();
   append_points(text, surface);
-  for (std::size_t i = 0; i < surface.polygon_count(); ++i) {
-    text << surface.polygon(i).size();
-    for (const VertexId v : surface.polygon(i)) text << v.index();
-    text.end_line();
-  }
+  append_polygons(text, surface);
   return std::move(text).finish();
 }
 
@@ -110,11 +114,7 @@ std::string format_ply(const SurfaceFile& surface) {
   line("property list int int vertex_indices");
   line("end_header");
   append_points(text, surface);
-  for (std::size_t i = 0; i < surface.polygon_count(); ++i) {
-    text << surface.polygon(i).size();
-    for (const VertexId v : surface.polygon(i)) text << v.index();
-    text.end_line();
-  }
+  append_polygons(text, surface);
   return std::move(text).finish();
 }
 
